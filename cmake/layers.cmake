@@ -1,0 +1,13 @@
+# voledit_module(NAME DEPENDS …): the static library voledit_NAME of the sources in this folder.
+# A module states all that it may include in its one line of DEPENDS; tests/layering_test.cmake checks the rest.
+function(voledit_module name)
+  cmake_parse_arguments(M "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(voledit_${name} STATIC ${sources})
+    target_link_libraries(voledit_${name} PUBLIC ${M_DEPENDS} PRIVATE voledit_options ${M_PRIVATE_DEPENDS})
+  else()
+    add_library(voledit_${name} INTERFACE)
+    target_link_libraries(voledit_${name} INTERFACE ${M_DEPENDS})
+  endif()
+endfunction()

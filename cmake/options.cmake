@@ -1,0 +1,17 @@
+# Compiler settings that every target of ours takes: `target_link_libraries(x PRIVATE voledit_options)`.
+add_library(voledit_options INTERFACE)
+target_compile_options(voledit_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
+  # Fused multiply-adds would make pictures depend on the processor.
+  -ffp-contract=off)
+target_include_directories(voledit_options INTERFACE ${CMAKE_SOURCE_DIR})
+
+option(VOLEDIT_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+if(VOLEDIT_SANITIZE)
+  target_compile_options(voledit_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(voledit_options INTERFACE -fsanitize=address,undefined)
+endif()
+option(VOLEDIT_COVERAGE "gcov counters" OFF)
+if(VOLEDIT_COVERAGE)
+  target_compile_options(voledit_options INTERFACE --coverage)
+  target_link_options(voledit_options INTERFACE --coverage)
+endif()

@@ -1,0 +1,72 @@
+#pragma once
+// Files through the parser process `voledit-io`: volumes, pictures. Nothing of a stranger's file is parsed here.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/picture.h"
+#include "core/base/progress.h"
+#include "core/fields/volume.h"
+
+namespace voledit {
+
+/// How to read a headerless file: `--raw SIZE,TYPE[,SPACING][,endian]`.
+struct RawFormat {
+    Index3 size{0};
+    VoxelType type = VoxelType::UInt8;
+    Vec3 spacing{1};
+    bool bigEndian = false;
+};
+
+/// "256x256x128,uint8,1x1x1.5,big" as the command line gives it (a spacing may be one number). Throws Error.
+RawFormat parseRawFormat(const std::string& text);
+
+struct ReadOptions {
+    std::optional<RawFormat> raw;
+    std::optional<Vec3> spacing;   // for stacks that carry none
+    std::size_t memoryLimit = 0;   // bytes that the parser process may use; 0: three quarters of this machine's memory
+};
+
+struct VolumeFile {
+    std::shared_ptr<const Volume> volume;
+    std::string format;  // "nrrd", "nifti", "metaimage", "dicom", "tiff", "png", "vdb", "vtk", "raw"
+    std::vector<std::string> warnings;  // what was repaired or cut, one line each
+};
+
+/// Resident connection to one parser process, started when first needed, restarted when it died. Calls from several
+/// threads wait for each other.
+class IoClient {
+public:
+    /// Starts nothing yet. `program`: voledit-io; by default $VOLEDIT_IO, else beside this program.
+    explicit IoClient(std::filesystem::path program = {});
+    ~IoClient();
+    IoClient(const IoClient&) = delete;
+    IoClient& operator=(const IoClient&) = delete;
+
+    /// Reads a volume: any format of scene-format.md §3, by content first, by name where that says nothing. `path` may
+    /// be a file, a folder (DICOM series, picture stack) or a numbered pattern ("slice_%03d.png", "slice_*.png"). The
+    /// voxels stay in the memory that the parser filled. Throws Error (file, cause, remedy), Cancelled.
+    VolumeFile readVolume(const std::filesystem::path& path, const ReadOptions& options = {},
+                          Progress* progress = nullptr);
+
+    /// Writes NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha) or VDB (.vdb, float) by ending; beside
+    /// `path`, then renamed. Throws Error, Cancelled.
+    void writeVolume(const Volume& volume, const std::filesystem::path& path, Progress* progress = nullptr);
+
+    /// Writes .png (8-bit RGB) or .exr (float RGBA, converted from sRGB to linear light) by ending; beside `path`, then
+    /// renamed. Throws Error.
+    void writePicture(const Picture& picture, const std::filesystem::path& path);
+
+    /// Reads a picture that OpenImageIO knows, first frame or page, as RGBA (values as stored, 0…1). Throws Error.
+    Picture readPicture(const std::filesystem::path& path);
+
+private:
+    struct Process;
+    std::unique_ptr<Process> process_;
+};
+
+}  // namespace voledit

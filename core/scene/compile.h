@@ -1,0 +1,45 @@
+#pragma once
+// From the editable scene to immutable evaluators.
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/objects/term.h"
+#include "core/scene/scene.h"
+
+namespace voledit {
+
+/// The volumes of a scene by asset name.
+using LoadedVolumes = std::map<std::string, std::shared_ptr<const Volume>>;
+
+/// All that a renderer needs. Copies share.
+struct CompiledScene {
+    TermPtr root;
+    Camera camera;
+    RenderSettings render;
+    double opacityDistance = 1;  // world units
+    double unitStep = 1;         // world length of `render.step` 1: the smallest spacing of the scene's volumes
+    double time = 0;             // seconds
+
+    /// Compiled pieces with the values they were made from; the next `compile` takes what is equal.
+    struct Cache;
+    std::shared_ptr<const Cache> cache;
+
+    /// World length of one step along a ray.
+    double stepLength() const { return unitStep * render.step; }
+};
+
+/// Compiles `scene` at time t (seconds); pieces whose inputs are equal to those of `previous` (may be null) are taken
+/// from it, the very objects, so that caches keyed by them hold. `aspect` (width/height) serves a camera that fits.
+/// Throws Error for a missing volume, a channel out of range, a bad number.
+CompiledScene compile(const Scene& scene, const LoadedVolumes& volumes, double t, const CompiledScene* previous,
+                      double aspect = 4.0 / 3.0);
+
+/// A copy of `scene` with all that the contract says saving writes out: frames left out, camera, opacityDistance.
+Scene withDefaultsWrittenOut(const Scene& scene, const LoadedVolumes& volumes);
+
+/// The lattice that an `ffd` transfer means, over the frame it has (its own, or `operand`'s box).
+Lattice latticeOf(const FfdTransfer& ffd, const Frame& frame);
+
+}  // namespace voledit

@@ -1,0 +1,89 @@
+#pragma once
+// Mapped cells: the one meeting place of all forward maps (definitions.md §6).
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/box3.h"
+#include "core/base/types.h"
+
+namespace voledit {
+
+/// A point found in a tetrahedron.
+struct CellLocation {
+    std::uint32_t tetrahedron;          // index into MappedCells::tetrahedra()
+    std::array<double, 4> barycentric;  // weights of its vertices, sum 1
+};
+
+/// Hexahedra with deformed positions and source coordinates at their vertices, each split into six tetrahedra along
+/// the diagonal 0–7 (vertices numbered i + 2j + 4k), the same way in every cell, so that neighbours share their face
+/// diagonals and leave no crack. Within a tetrahedron the map is affine, so barycentric interpolation gives q from p
+/// exactly. Knows nothing of where it came from. Immutable after construction.
+class MappedCells {
+public:
+    struct Data {
+        std::vector<Vec3> deformed;  // p of each vertex, world units
+        std::vector<Vec3> source;    // q of each vertex, world units of the rest space
+        std::vector<Mat3> jacobian;  // dq/dp at each vertex; empty: taken from the tetrahedra around the vertex
+        std::vector<std::array<std::uint32_t, 8>> hexahedra;
+    };
+
+    /// Throws Error if an index is out of range, a size differs, or a position is not finite.
+    explicit MappedCells(Data data);
+    ~MappedCells();
+    MappedCells(const MappedCells&) = delete;
+    MappedCells& operator=(const MappedCells&) = delete;
+
+    std::span<const Vec3> deformed() const { return data_.deformed; }
+    std::span<const Vec3> source() const { return data_.source; }
+    std::span<const Mat3> jacobians() const { return data_.jacobian; }
+    std::span<const std::array<std::uint32_t, 8>> hexahedra() const { return data_.hexahedra; }
+    /// Six for each hexahedron, in its order: tetrahedron t belongs to hexahedron t / 6. Degenerate ones (zero
+    /// deformed volume) stay in the list, so that indices hold, but are never found nor drawn.
+    std::span<const std::array<std::uint32_t, 4>> tetrahedra() const { return tetrahedra_; }
+    /// Signed deformed volume × 6 over source volume × 6 (the determinant of dp/dq); negative where the map folds, 0
+    /// where degenerate. One for each tetrahedron.
+    std::span<const double> determinants() const { return determinants_; }
+
+    /// Box of the deformed positions.
+    const Box3& bounds() const { return bounds_; }
+    /// True if some tetrahedra are inverted relative to the others, or if cells overlap: then a point may have several
+    /// pre-images and renderers must combine them.
+    bool mayOverlap() const { return mayOverlap_; }
+
+    /// Appends every tetrahedron that contains p, in the order of tetrahedra(); a point on a shared face, edge or
+    /// vertex is reported once for each pre-image, not once for each tetrahedron that touches it.
+    void locateAll(const Vec3& p, std::vector<CellLocation>& found) const;
+    /// The first of `locateAll`; false where there is none.
+    bool locate(const Vec3& p, CellLocation& found) const;
+
+    /// q at a location, exact within the tetrahedron.
+    Vec3 sourceAt(const CellLocation& at) const;
+    /// dq/dp at a location, interpolated from the vertices.
+    Mat3 jacobianAt(const CellLocation& at) const;
+
+    /// q[i] of each p[i] in parallel (`locate`, `sourceAt`); kUndefined outside. Needs equal sizes; may alias.
+    void map(std::span<const Vec3> p, std::span<Vec3> q) const;
+
+private:
+    struct Tree;
+    Data data_;
+    std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
+    std::vector<double> determinants_;
+    Box3 bounds_;
+    bool mayOverlap_ = false;
+    std::unique_ptr<const Tree> tree_;
+};
+
+/// Vertex numbers (i + 2j + 4k) of the six tetrahedra of a hexahedron, all along the diagonal 0–7, positively oriented
+/// in an undeformed cell.
+extern const std::array<std::array<int, 4>, 6> kHexahedronTetrahedra;
+
+/// A rest-space grid of `count` cells an axis over `frame`: vertices i fastest, (count+1) each, and their hexahedra.
+/// `deformed` and `source` are both the rest positions: the undeformed box as mapped cells.
+MappedCells::Data gridCells(const Frame& frame, Index3 count);
+
+}  // namespace voledit
