@@ -1,0 +1,64 @@
+#pragma once
+// What the editor works on: everything that panels, tools and actions see and change.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/editor/actions.h"
+#include "core/scene/compile.h"
+#include "core/scene/document.h"
+
+namespace voledit {
+
+/// What is selected: a lattice, and some of its control points (indices, sorted, each once).
+struct Selection {
+    std::string lattice;  // empty: none; the outermost lattice is shown then
+    std::vector<std::size_t> points;
+
+    bool operator==(const Selection&) const = default;
+};
+
+/// Something that the user is told.
+struct Notice {
+    enum class Kind : unsigned char { Info, Warning, Problem };
+    Kind kind = Kind::Info;
+    std::string text;
+    double time = 0;  // editor time when it came, seconds
+
+    bool operator==(const Notice&) const = default;
+};
+
+enum class RendererChoice : unsigned char { Auto, Slices, Rays };
+
+/// Plain data, owned by the editor; panels and tools take it by reference. What changed is found by comparing values.
+struct Workspace {
+    // What is edited.
+    bool open = false;  // false until something was opened: document and volumes are then empty
+    Document document{Scene{}};
+    LoadedVolumes volumes;
+    std::filesystem::path folder;  // asset paths of the document are relative to it
+    Selection selection;
+
+    // What is looked at. The camera is the editor's own: navigating is no undo step; saving writes it into the scene.
+    Camera camera;
+    double time = 0;         // seconds on the scene's clock
+    CompiledScene compiled;  // of document.scene() with `camera`, from the frame before; root is null where not open
+    Index2 viewOrigin{0}, viewSize{1, 1};  // the viewport in window pixels
+    bool overlays = true;
+    RendererChoice renderer = RendererChoice::Auto;
+
+    // The interface.
+    float scale = 1;        // pixels for each pixel of the design
+    double clock = 0;       // editor time, seconds
+    bool headless = false;  // pictures must not depend on the clock
+    std::vector<Notice> notices;
+    Actions actions;
+
+    void notify(Notice::Kind kind, const std::string& text) { notices.push_back({kind, text, clock}); }
+};
+
+/// The lattice that tools and panels work on: the selected one, else the outermost; "" where the scene has none.
+std::string activeLattice(const Workspace& workspace);
+
+}  // namespace voledit
