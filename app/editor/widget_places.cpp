@@ -1,0 +1,56 @@
+#include "app/editor/widget_places.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+namespace voledit {
+
+void WidgetPlaces::newFrame() {
+    shown_ = std::move(noted_);
+    noted_.clear();
+    scopes.clear();
+}
+
+std::optional<WidgetPlace> WidgetPlaces::find(const std::string& path) const {
+    const auto at = shown_.find(path);
+    if (at == shown_.end()) return std::nullopt;
+    return at->second;
+}
+
+std::vector<std::string> WidgetPlaces::names() const {
+    std::vector<std::string> names;
+    for (const auto& [name, place] : shown_) names.push_back(name);
+    return names;
+}
+
+WidgetPlaces* widgetPlaces() {
+    return ImGui::GetCurrentContext() ? static_cast<WidgetPlaces*>(ImGui::GetIO().UserData) : nullptr;
+}
+
+WidgetScope::WidgetScope(std::string_view name) {
+    if (WidgetPlaces* places = widgetPlaces()) places->scopes.emplace_back(name);
+}
+
+WidgetScope::~WidgetScope() {
+    if (WidgetPlaces* places = widgetPlaces(); places && !places->scopes.empty()) places->scopes.pop_back();
+}
+
+void noteWidget(std::string_view label) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    noteWidget(label, Vec2(min.x, min.y), Vec2(max.x, max.y));
+}
+
+void noteWidget(std::string_view label, const Vec2& min, const Vec2& max) {
+    WidgetPlaces* places = widgetPlaces();
+    if (!places) return;
+    std::string path;
+    for (const std::string& scope : places->scopes) path += scope + "/";
+    path += label.substr(0, label.find("##"));
+    const Vec2 center = 0.5 * (min + max);
+    const ImRect clip = ImGui::GetCurrentWindowRead()->ClipRect;
+    places->note(path, {min, max, clip.Contains(ImVec2(float(center.x), float(center.y)))});
+}
+
+}  // namespace voledit
