@@ -6,18 +6,11 @@
 #include <vector>
 
 #include "app/editor/actions.h"
+#include "app/editor/selection.h"
 #include "core/scene/compile.h"
 #include "core/scene/document.h"
 
 namespace voledit {
-
-/// What is selected: a lattice, and some of its control points (indices, sorted, each once).
-struct Selection {
-    std::string lattice;  // empty: none; the outermost lattice is shown then
-    std::vector<std::size_t> points;
-
-    bool operator==(const Selection&) const = default;
-};
 
 /// Something that the user is told.
 struct Notice {
@@ -57,8 +50,5 @@ struct Workspace {
 
     void notify(Notice::Kind kind, const std::string& text) { notices.push_back({kind, text, clock}); }
 };
-
-/// The lattice that tools and panels work on: the selected one, else the outermost; "" where the scene has none.
-std::string activeLattice(const Workspace& workspace);
 
 }  // namespace voledit
