@@ -8,7 +8,9 @@ namespace voledit {
 
 namespace fs = std::filesystem;
 
-bool isSceneFile(const fs::path& path) { return path.extension() == ".voledit" || path.extension() == ".json"; }
+bool isSceneFile(const fs::path& path) {
+    return path.extension() == ".voledit" || path.extension() == ".json";
+}
 
 LoadedVolumes readVolumes(IoClient& io, const Scene& scene, const fs::path& folder, const OpenOptions& options,
                           std::vector<std::string>& warnings, Progress* progress) {

@@ -11,7 +11,9 @@ Box3 join(const Box3& a, const Box3& b) {
     return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
-Box3 join(const Box3& a, const Vec3& p) { return {glm::min(a.min, p), glm::max(a.max, p)}; }
+Box3 join(const Box3& a, const Vec3& p) {
+    return {glm::min(a.min, p), glm::max(a.max, p)};
+}
 
 Box3 intersect(const Box3& a, const Box3& b) {
     const Box3 common{glm::max(a.min, b.min), glm::min(a.max, b.max)};
@@ -34,8 +36,12 @@ Mat4 worldFromNormalised(const Frame& frame) {
     return Mat4(Vec4(frame.edge[0], 0), Vec4(frame.edge[1], 0), Vec4(frame.edge[2], 0), Vec4(frame.corner, 1));
 }
 
-Mat4 normalisedFromWorld(const Frame& frame) { return glm::inverse(worldFromNormalised(frame)); }
+Mat4 normalisedFromWorld(const Frame& frame) {
+    return glm::inverse(worldFromNormalised(frame));
+}
 
-Box3 boundsOf(const Frame& frame) { return transformed({Vec3(0), Vec3(1)}, worldFromNormalised(frame)); }
+Box3 boundsOf(const Frame& frame) {
+    return transformed({Vec3(0), Vec3(1)}, worldFromNormalised(frame));
+}
 
 }  // namespace voledit

@@ -50,8 +50,12 @@ Mat4 normalisedFromWorld(const Frame& frame);
 Box3 boundsOf(const Frame& frame);
 
 /// `m` applied to a point (w = 1; no perspective division).
-inline Vec3 transformPoint(const Mat4& m, const Vec3& p) { return Vec3(m * Vec4(p, 1.0)); }
+inline Vec3 transformPoint(const Mat4& m, const Vec3& p) {
+    return Vec3(m * Vec4(p, 1.0));
+}
 /// `m`'s linear part applied to a direction.
-inline Vec3 transformVector(const Mat4& m, const Vec3& v) { return Mat3(m) * v; }
+inline Vec3 transformVector(const Mat4& m, const Vec3& v) {
+    return Mat3(m) * v;
+}
 
 }  // namespace voledit

@@ -18,8 +18,12 @@ std::filesystem::path programFolder() {
     return std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
-std::filesystem::path resourceFolder() { return find("VOLEDIT_RESOURCES", "resources", VOLEDIT_SOURCE_RESOURCES); }
+std::filesystem::path resourceFolder() {
+    return find("VOLEDIT_RESOURCES", "resources", VOLEDIT_SOURCE_RESOURCES);
+}
 
-std::filesystem::path shaderFolder() { return find("VOLEDIT_SHADERS", "shaders", VOLEDIT_SOURCE_SHADERS); }
+std::filesystem::path shaderFolder() {
+    return find("VOLEDIT_SHADERS", "shaders", VOLEDIT_SOURCE_SHADERS);
+}
 
 }  // namespace voledit

@@ -35,6 +35,8 @@ inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr Vec3 kUndefined{kNaN, kNaN, kNaN};
 
 /// False where a map was undefined (any component NaN).
-inline bool isDefined(const Vec3& q) { return q.x == q.x && q.y == q.y && q.z == q.z; }
+inline bool isDefined(const Vec3& q) {
+    return q.x == q.x && q.y == q.y && q.z == q.z;
+}
 
 }  // namespace voledit

@@ -21,7 +21,9 @@ std::optional<fs::path> shared(const std::string& path) {
     return full;
 }
 
-fs::path fixture(const std::string& path) { return fs::path(VOLEDIT_TESTS) / path; }
+fs::path fixture(const std::string& path) {
+    return fs::path(VOLEDIT_TESTS) / path;
+}
 
 namespace {
 struct Scratch {

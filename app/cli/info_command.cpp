@@ -1,0 +1,113 @@
+// `voledit info`: what a volume or a scene holds.
+
+#include <CLI/App.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "core/base/error.h"
+#include "core/scene/edits.h"
+
+namespace voledit {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json describe(const VolumeFile& file) {
+    const Volume& volume = *file.volume;
+    const VolumeGrid& grid = volume.grid();
+    const VolumeStatistics& s = volume.statistics();
+    const Mat3 d = grid.direction();
+    Json json;
+    json["kind"] = "volume";
+    json["format"] = file.format;
+    json["size"] = {grid.size.x, grid.size.y, grid.size.z};
+    json["spacing"] = toJson(grid.spacing());
+    json["origin"] = toJson(grid.origin());
+    json["direction"] = {d[0].x, d[1].x, d[2].x, d[0].y, d[1].y, d[2].y, d[0].z, d[1].z, d[2].z};
+    json["component"] = nameOf(volume.type());
+    json["channels"] = grid.channels;
+    json["min"] = s.min;
+    json["max"] = s.max;
+    json["mean"] = s.mean;
+    json["histogram"] = s.histogram;
+    return json;
+}
+
+Json describe(const OpenedScene& opened) {
+    const Scene& scene = opened.scene;
+    const CompiledScene compiled = compile(scene, opened.volumes, scene.timeline.start / scene.timeline.fps, nullptr);
+    Json json;
+    json["kind"] = "scene";
+    json["format"] = "voledit";
+    json["assets"] = Json::object();
+    for (const auto& [name, asset] : scene.assets) {
+        json["assets"][name] = {{"path", asset.path}};
+        const auto volume = opened.volumes.find(name);
+        if (volume == opened.volumes.end()) continue;
+        const VolumeGrid& grid = volume->second->grid();
+        json["assets"][name]["size"] = {grid.size.x, grid.size.y, grid.size.z};
+        json["assets"][name]["component"] = nameOf(volume->second->type());
+    }
+    const auto names = [](const auto& map) {
+        Json list = Json::array();
+        for (const auto& entry : map) list.push_back(entry.first);
+        return list;
+    };
+    json["objects"] = names(scene.objects);
+    json["transfers"] = names(scene.transfers);
+    json["lattices"] = latticeNames(scene);
+    json["bounds"] = {{"min", toJson(compiled.root->bounds.min)}, {"max", toJson(compiled.root->bounds.max)}};
+    json["opacityDistance"] = compiled.opacityDistance;
+    json["camera"] = {{"eye", toJson(compiled.camera.eye)},
+                      {"target", toJson(compiled.camera.target)},
+                      {"up", toJson(compiled.camera.up)},
+                      {"fovY", compiled.camera.fovY}};
+    json["timeline"] = {{"fps", scene.timeline.fps}, {"start", scene.timeline.start}, {"end", scene.timeline.end}};
+    return json;
+}
+
+void printTable(const Json& json) {
+    for (const auto& [name, value] : json.items())
+        if (name != "histogram")
+            std::cout << name << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+}
+
+int info(const InputArguments& input, bool asJson, const CommonArguments& common) {
+    if (std::filesystem::path(input.file).extension() == ".bvh")
+        throw Error(input.file, "motion files are not built yet in this version", "give a volume or a scene");
+    IoClient io;
+    Json json;
+    if (isSceneFile(input.file)) {
+        json = describe(open(io, input, common));
+    } else {
+        const OpenOptions options = input.options(common);
+        VolumeFile file;
+        withProgress("Reading " + input.file, common.verbosity(),
+                     [&](Progress* progress) { file = io.readVolume(input.file, options.read, progress); });
+        printWarnings(file.warnings);
+        json = describe(file);
+    }
+    if (asJson)
+        std::cout << json.dump(2) << "\n";
+    else
+        printTable(json);
+    return 0;
+}
+
+}  // namespace
+
+Command addInfoCommand(CLI::App& command, const CommonArguments& common) {
+    auto input = std::make_shared<InputArguments>();
+    auto json = std::make_shared<bool>(false);
+    addInputArguments(command, *input, "file");
+    command.add_flag("--json", *json, "As JSON");
+    return [input, json, &common] { return info(*input, *json, common); };
+}
+
+}  // namespace voledit

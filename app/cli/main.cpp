@@ -1,0 +1,90 @@
+// `voledit`: the command line (scene-format.md §2). Without a command it opens the editor.
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+#include <map>
+
+#include "app/cli/commands.h"
+#include "app/cli/terminal.h"
+#include "core/base/error.h"
+
+namespace {
+
+using namespace voledit;
+
+struct Description {
+    const char* name;
+    const char* text;
+    Command (*add)(CLI::App&, const CommonArguments&);
+};
+
+constexpr Description kCommands[] = {
+    {"render", "Render a scene to a picture, without a window", addRenderCommand},
+    {"voxelize", "Sample a scene on a regular grid and write a volume", addVoxelizeCommand},
+    {"info", "Say what a volume or a scene holds", addInfoCommand},
+    {"sample", "Values of a volume or a scene at points", addSampleCommand},
+    {"convert", "Convert between volume formats", addConvertCommand},
+    {"edit", "Open the editor; with --headless drive it from recorded events", addEditCommand},
+    {"bench", "The project's own measurements, as JSON", addBenchCommand},
+};
+
+/// Commands of the contract that this version lacks.
+const std::map<std::string, std::string> kNotYet = {{"animate", "rendering a scene's frames"},
+                                                    {"pose", "poses of a motion file"}};
+
+int runCommand(int argc, char** argv) {
+    CLI::App app{"voledit: deforms volumes directly, without resampling them", "voledit"};
+    app.set_version_flag("--version", "voledit 0.1.0");
+    app.require_subcommand(1);
+    std::map<CLI::App*, Command> commands;
+    CommonArguments common;
+    for (const Description& d : kCommands) {
+        CLI::App* command = app.add_subcommand(d.name, d.text);
+        addCommonArguments(*command, common);
+        commands[command] = d.add(*command, common);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
+    }
+    common.apply();
+    return commands.at(app.get_subcommands().front())();
+}
+
+/// `voledit [FILE…]` is `voledit edit [FILE…]`.
+bool namesCommand(const std::string& word) {
+    if (word == "--help" || word == "-h" || word == "--version") return true;
+    for (const Description& d : kCommands)
+        if (word == d.name) return true;
+    return false;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A reader that went away (a closed pipe) shows as a failed write, not as a death.
+    std::signal(SIGPIPE, SIG_IGN);
+    try {
+        if (argc > 1 && kNotYet.contains(argv[1]))
+            throw Error("voledit " + std::string(argv[1]) + ": " + kNotYet.at(argv[1]) +
+                        " is not built yet in this version; see voledit --help for what is");
+        std::vector<char*> arguments(argv, argv + argc);
+        std::string edit = "edit";
+        if (argc < 2 || !namesCommand(argv[1])) arguments.insert(arguments.begin() + 1, edit.data());
+        return runCommand(static_cast<int>(arguments.size()), arguments.data());
+    } catch (const UsageError& error) {
+        std::cerr << "voledit: " << error.what() << "\n";
+        return 2;
+    } catch (const Cancelled&) {
+        std::cerr << "voledit: stopped; nothing was written\n";
+        return 1;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "voledit: out of memory; close other programs, or work on a smaller volume or grid\n";
+        return 1;
+    } catch (const std::exception& error) {
+        std::cerr << "voledit: " << error.what() << "\n";
+        return 1;
+    }
+}

@@ -1,0 +1,116 @@
+// `voledit render`: a scene to a picture, headless.
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/drawing.h"
+#include "app/cli/output.h"
+#include "core/base/error.h"
+
+namespace voledit {
+
+namespace {
+
+struct RenderArguments {
+    InputArguments input;
+    std::string output, size = "960x720", renderer = "slices", gl = "auto", camera, stats;
+    double time = kNaN, step = 0;
+    int timeFrames = 0, timeEdits = 0;
+};
+
+void checkArguments(const RenderArguments& a) {
+    const auto ending = std::filesystem::path(a.output).extension();
+    if (ending != ".png" && ending != ".exr") throw UsageError("-o " + a.output + ": name a .png or .exr file");
+    if (a.timeFrames < 0 || a.timeEdits < 0 || a.timeFrames > 100000 || a.timeEdits > 100000)
+        throw UsageError("--time-frames and --time-edits take a number from 0 to 100000");
+    if (a.step != 0 && !(a.step >= 0.001 && a.step <= 1000))
+        throw UsageError("--step: give a number from 0.001 to 1000");
+}
+
+std::vector<double> timeFrames(Drawing& drawing, CompiledScene scene, Index2 size, int count) {
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) {
+        scene.camera = orbited(scene.camera, 1);
+        times.push_back(millisecondsOf([&] { drawing.draw(scene, size, nullptr); }));
+    }
+    return times;
+}
+
+std::vector<double> timeEdits(Drawing& drawing, const OpenedScene& opened, CompiledScene compiled, Index2 size,
+                              int count) {
+    std::vector<double> times;
+    Scene scene = opened.scene;
+    scene.camera = compiled.camera;
+    const double aspect = double(size.x) / size.y;
+    for (int i = 0; i < count; ++i)
+        times.push_back(millisecondsOf([&] {
+            nudgeOutermost(scene, compiled.unitStep * (i % 2 ? -1 : 2));
+            compiled = compile(scene, opened.volumes, compiled.time, &compiled, aspect);
+            drawing.draw(compiled, size, nullptr);
+        }));
+    return times;
+}
+
+void writeStatistics(const std::string& path, const Drawing& drawing, Index2 size, double firstImage,
+                     const std::vector<double>& frames, const std::vector<double>& edits) {
+    const DrawStatistics s = drawing.statistics();
+    nlohmann::ordered_json json;
+    json["renderer"] = drawing.renderer();
+    json["gl"] = drawing.gl();
+    json["size"] = {size.x, size.y};
+    json["slices"] = s.slices;
+    json["samples"] = s.samples;
+    json["cells"] = s.cells;
+    json["first_image_ms"] = firstImage;
+    json["frame_ms"] = frames;
+    json["edit_ms"] = edits;
+    json["peak_mib"] = peakMebibytes();
+    writeTextFile(path, json.dump(2) + "\n");
+}
+
+int render(const RenderArguments& a, const CommonArguments& common) {
+    checkArguments(a);
+    const Index2 size = parseSize2(a.size, "--size");
+    const auto drawing = makeDrawing(a.renderer, a.gl);
+    checkWritable(a.output);
+    IoClient io;
+    OpenedScene opened = open(io, a.input, common);
+    if (!a.camera.empty()) opened.scene.camera = readCamera(a.camera);
+    if (a.step > 0) opened.scene.render.step = a.step;
+    const double time = a.time == a.time ? a.time : opened.scene.timeline.start / opened.scene.timeline.fps;
+    const CompiledScene scene = compile(opened.scene, opened.volumes, time, nullptr, double(size.x) / size.y);
+
+    Picture picture;
+    withProgress("Rendering", common.verbosity(),
+                 [&](Progress* progress) { picture = drawing->draw(scene, size, progress); });
+    const double firstImage = millisecondsSinceStart();
+    io.writePicture(picture, a.output);
+    if (common.verbose) std::fprintf(stderr, "voledit: first image after %.0f ms\n", firstImage);
+    const auto frames = timeFrames(*drawing, scene, size, a.timeFrames);
+    const auto edits = timeEdits(*drawing, opened, scene, size, a.timeEdits);
+    if (!a.stats.empty()) writeStatistics(a.stats, *drawing, size, firstImage, frames, edits);
+    return 0;
+}
+
+}  // namespace
+
+Command addRenderCommand(CLI::App& command, const CommonArguments& common) {
+    auto a = std::make_shared<RenderArguments>();
+    addInputArguments(command, a->input, "scene");
+    command.add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required()->type_name("OUT");
+    command.add_option("--size", a->size, "Width and height in pixels")->capture_default_str()->type_name("WxH");
+    command.add_option("--time", a->time, "Time in seconds (the timeline's start)")->type_name("S");
+    command.add_option("--renderer", a->renderer, "slices (OpenGL) or rays (CPU)")->capture_default_str();
+    command.add_option("--step", a->step, "Distance of samples in units of the smallest spacing")->type_name("F");
+    command.add_option("--camera", a->camera, "JSON file with eye, target, up, fovY")->type_name("FILE");
+    command.add_option("--gl", a->gl, "osmesa, egl or auto")->capture_default_str();
+    command.add_option("--stats", a->stats, "Write measurements as JSON")->type_name("FILE");
+    command.add_option("--time-frames", a->timeFrames, "Draw and time N more frames, orbiting")->type_name("N");
+    command.add_option("--time-edits", a->timeEdits, "Make and time N small edits of the outermost lattice")
+        ->type_name("N");
+    return [a, &common] { return render(*a, common); };
+}
+
+}  // namespace voledit

@@ -1,0 +1,112 @@
+// `voledit sample`: values of a volume or a scene at points.
+
+#include <CLI/App.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+
+namespace voledit {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SampleArguments {
+    InputArguments input;
+    std::vector<std::string> at;
+    bool json = false;
+    double time = kNaN;
+};
+
+Json toJson(const Vec3& v) {
+    return isDefined(v) ? Json{v.x, v.y, v.z} : Json(nullptr);
+}
+Json toJson(double v) {
+    return v == v ? Json(v) : Json(nullptr);
+}
+
+Json sampleVolume(const Volume& volume, const std::vector<Vec3>& points) {
+    const int channels = volume.grid().channels;
+    std::vector<std::vector<double>> values(std::size_t(channels), std::vector<double>(points.size()));
+    for (int c = 0; c < channels; ++c) volume.sample(points, values[std::size_t(c)], c);
+    Json samples = Json::array();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Json value;
+        if (channels == 1) {
+            value = toJson(values[0][i]);
+        } else if (values[0][i] == values[0][i]) {
+            for (const auto& channel : values) value.push_back(toJson(channel[i]));
+        }
+        samples.push_back({{"at", toJson(points[i])}, {"value", value}});
+    }
+    return samples;
+}
+
+/// The point on its way from deformed to undeformed space: after each STF, the outermost first.
+Json pathOf(const Term& root, Vec3 p) {
+    Json path = Json::array();
+    const Term* term = &root;
+    while (const auto* transfer = std::get_if<TransferTerm>(&term->node)) {
+        transfer->by->map({&p, 1}, {&p, 1});
+        if (!transfer->placement) path.push_back({{"name", transfer->name}, {"point", toJson(p)}});
+        term = transfer->of.get();
+    }
+    return path;
+}
+
+Json sampleScene(const CompiledScene& scene, const std::vector<Vec3>& points) {
+    std::vector<ObjectSample> found(points.size());
+    sample(*scene.root, points, found, false);
+    Json samples = Json::array();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        samples.push_back({{"at", toJson(points[i])},
+                           {"opacity", found[i].opacity},
+                           {"color", toJson(found[i].color)},
+                           {"path", pathOf(*scene.root, points[i])}});
+    return samples;
+}
+
+int sampleFile(const SampleArguments& a, const CommonArguments& common) {
+    std::vector<Vec3> points;
+    for (const std::string& text : a.at) {
+        const auto v = parseNumbers(text, 3, "--at");
+        points.push_back({v[0], v[1], v[2]});
+    }
+    IoClient io;
+    Json json;
+    if (isSceneFile(a.input.file)) {
+        const OpenedScene opened = open(io, a.input, common);
+        const double time = a.time == a.time ? a.time : opened.scene.timeline.start / opened.scene.timeline.fps;
+        json["samples"] = sampleScene(compile(opened.scene, opened.volumes, time, nullptr), points);
+    } else {
+        const OpenOptions options = a.input.options(common);
+        VolumeFile file;
+        withProgress("Reading " + a.input.file, common.verbosity(),
+                     [&](Progress* progress) { file = io.readVolume(a.input.file, options.read, progress); });
+        printWarnings(file.warnings);
+        json["samples"] = sampleVolume(*file.volume, points);
+    }
+    if (a.json) {
+        std::cout << json.dump(2) << "\n";
+    } else {
+        for (const Json& s : json["samples"]) std::cout << s.dump() << "\n";
+    }
+    return 0;
+}
+
+}  // namespace
+
+Command addSampleCommand(CLI::App& command, const CommonArguments& common) {
+    auto a = std::make_shared<SampleArguments>();
+    addInputArguments(command, a->input, "file");
+    command.add_option("--at", a->at, "World point; give it again for more")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("x,y,z");
+    command.add_flag("--json", a->json, "As JSON");
+    command.add_option("--time", a->time, "Time in seconds (the timeline's start)")->type_name("S");
+    return [a, &common] { return sampleFile(*a, common); };
+}
+
+}  // namespace voledit

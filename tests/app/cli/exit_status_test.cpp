@@ -1,0 +1,115 @@
+// What goes wrong on the command line ends with the status and the message that the contract promises, soon, in little
+// memory, and with nothing written.
+
+#include <fstream>
+
+#include "tests/support/fixtures.h"
+
+namespace voledit {
+namespace {
+
+namespace fs = std::filesystem;
+using test::run;
+using testing::Test;
+
+constexpr std::size_t kTwoGigabytes = std::size_t(2) << 30;
+
+std::string write(const fs::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+}
+
+TEST(ExitStatus, WrongFlagsAreTwo) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"render"},
+             {"render", "a.voledit", "-o", "a.png", "--nonsense"},
+             {"render", "a.voledit", "-o", "a.png", "--size", "0x10"},
+             {"render", "a.voledit", "-o", "a.png", "--renderer", "magic"},
+             {"render", "a.voledit", "-o", "a.jpeg"},
+             {"voxelize", "a.voledit", "-o", "a.nrrd"},
+             {"voxelize", "a.voledit", "-o", "a.nrrd", "--size", "4x4x4", "--what", "soul"},
+             {"sample", "a.nrrd", "--at", "1,2"},
+             {"sample", "a.nrrd", "--at", "1,2,x"},
+             {"info", "a.nrrd", "--memory-limit", "lots"},
+             {"edit", "--scale", "99"}}) {
+        const auto result = run("voledit", arguments);
+        EXPECT_EQ(result.status, 2) << testing::PrintToString(arguments) << result.err;
+        EXPECT_FALSE(result.err.empty());
+        EXPECT_TRUE(result.out.empty());
+    }
+}
+
+TEST(ExitStatus, HelpAndVersionAreZero) {
+    for (const char* flag : {"--help", "--version"}) EXPECT_EQ(run("voledit", {flag}).status, 0) << flag;
+    EXPECT_EQ(run("voledit", {"render", "--help"}).status, 0);
+}
+
+TEST(ExitStatus, MissingFilesAreOneAndNamed) {
+    for (const char* name : {"gone.nrrd", "gone.voledit", "gone.mhd", "gone_folder/", "gone.xyz"})
+        for (const char* command : {"info", "sample"}) {
+            std::vector<std::string> arguments{command, name};
+            if (std::string(command) == "sample") arguments.insert(arguments.end(), {"--at", "0,0,0"});
+            const auto result = run("voledit", arguments);
+            EXPECT_EQ(result.status, 1) << command << name;
+            EXPECT_NE(result.err.find("gone"), std::string::npos) << result.err;
+        }
+}
+
+TEST(ExitStatus, RawFileWithoutRawIsOne) {
+    const auto folder = test::scratchFolder();
+    const auto result = run("voledit", {"info", write(folder / "voxels.raw", std::string(4096, 'x'))});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("--raw"), std::string::npos) << result.err;
+}
+
+TEST(ExitStatus, BuiltLaterSaysSo) {
+    for (const char* command : {"animate", "pose"}) {
+        const auto result = run("voledit", {command, "x"});
+        EXPECT_EQ(result.status, 1);
+        EXPECT_NE(result.err.find("not built yet"), std::string::npos) << result.err;
+    }
+}
+
+TEST(ExitStatus, BadScenesWriteNothing) {
+    const auto folder = test::scratchFolder();
+    const std::string volume = R"("assets":{"v":{"kind":"volume","path":"v.nrrd"}},)";
+    const std::string root = R"("root":{"type":"volume","asset":"v"})";
+    write(folder / "v.nrrd",
+          "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n" + std::string(8, '\x01'));
+    const std::vector<std::pair<std::string, std::string>> bad{
+        {"", "empty"},
+        {"{", ""},
+        {R"({"voledit":2,)" + volume + root + "}", "voledit"},
+        {R"({"voledit":1,)" + volume + R"("surprise":1,)" + root + "}", "surprise"},
+        {R"({"voledit":1,"assets":{"v":{"kind":"volume","path":"gone.nrrd"}},)" + root + "}", "gone.nrrd"},
+        {R"({"voledit":1,"assets":{"v":{"kind":"volume","path":"../v.nrrd"}},)" + root + "}", "--allow-outside"},
+        {R"({"voledit":1,)" + volume + R"("root":{"type":"volume","asset":"w"}})", "w"},
+        {R"({"voledit":1,)" + volume + R"("objects":{"a":{"use":"b"},"b":{"use":"a"}},"root":{"use":"a"}})", "cycle"},
+        {R"({"voledit":1,)" + volume + R"("opacityDistance":1e999,)" + root + "}", ""},
+        {R"({"voledit":1,)" + volume +
+             R"("root":{"type":"transfer","by":{"type":"ffd","cells":[1000,1000,1000]},"of":{"type":"volume","asset":"v"}}})",
+         "cells"},
+        {R"({"voledit":1,)" + volume +
+             R"("root":{"type":"transfer","by":{"type":"ffd","move":[{"point":[9,0,0],"by":[1,0,0]}]},"of":{"type":"volume","asset":"v"}}})",
+         "point"}};
+    for (const auto& [text, word] : bad) {
+        const std::string path = write(folder / "scene.voledit", text);
+        const auto result = run("voledit", {"render", path, "-o", (folder / "out.png").string(), "--renderer", "rays"});
+        EXPECT_EQ(result.status, 1) << text;
+        EXPECT_NE(result.err.find("scene.voledit"), std::string::npos) << text << "\n" << result.err;
+        EXPECT_NE(result.err.find(word), std::string::npos) << text << "\n" << result.err;
+        EXPECT_LT(result.seconds, 10) << text;
+        EXPECT_LT(result.peakBytes, kTwoGigabytes) << text;
+        EXPECT_FALSE(fs::exists(folder / "out.png")) << text;
+    }
+}
+
+TEST(ExitStatus, UnwritableOutputIsFoundBeforeTheWork) {
+    const auto folder = test::scratchFolder();
+    const auto result = run("voledit", {"convert", "gone.nrrd", (folder / "no" / "such" / "folder.nrrd").string()});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("folder"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace voledit
