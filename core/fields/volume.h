@@ -27,8 +27,8 @@ std::pair<double, double> rangeOf(VoxelType type);
 /// Where the samples of a regular grid lie. Samples stand at whole indices; the grid's domain is the box of its sample
 /// positions, first to last, an axis of one sample being one spacing thick (centred on it) (scene-format.md).
 struct VolumeGrid {
-    Index3 size{1, 1, 1};     // samples along i, j, k; each ≥ 1
-    int channels = 1;         // values a sample, interleaved
+    Index3 size{1, 1, 1};      // samples along i, j, k; each ≥ 1
+    int channels = 1;          // values a sample, interleaved
     Mat4 worldFromIndex{1.0};  // affine: index (i, j, k) to physical LPS millimetres; shear is kept
 
     bool operator==(const VolumeGrid&) const = default;
@@ -77,11 +77,16 @@ public:
     double at(Index3 index, int channel = 0) const;
 
     /// value[n] = trilinear value of `channel` at world point p[n]; NaN outside the domain (a point within 0.001
-    /// voxel of it counts as inside and is clamped) and where p is undefined. Sizes must be equal.
+    /// voxel of it counts as inside and is clamped) and where p is undefined. At a sample's position it is the stored
+    /// value to the bit. Sizes must be equal. Runs in the calling thread.
     void sample(std::span<const Vec3> p, std::span<double> value, int channel = 0) const;
 
-    /// gradient[n] = gradient of the trilinear field in world units⁻¹, by central differences of one voxel (one-sided
-    /// at the domain's faces), which is what the slices use too; 0 outside. Sizes must be equal.
+    /// gradient[n] = gradient of the trilinear field T in world units⁻¹, by central differences of one voxel, which is
+    /// what the slices use too; 0 outside. With x = indexFromWorld · p clamped to [0, n−1], the axes a of index space
+    /// each give, with b = min(xₐ + 1, nₐ − 1) and c = max(xₐ − 1, 0) and the other coordinates of x as they are,
+    ///   gₐ = (T(xₐ := b) − T(xₐ := c)) / (b − c), or 0 where nₐ = 1,
+    /// so differences become one-sided towards the domain's faces; the result is (indexFromWorld's linear part)ᵀ · g.
+    /// Sizes must be equal. Runs in the calling thread.
     void gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int channel = 0) const;
 
 private:
@@ -91,6 +96,7 @@ private:
     std::shared_ptr<const void> owner_;
     VolumeStatistics statistics_;
     Mat4 indexFromWorld_;
+    Vec3 rounding_;  // bound on the rounding error of an index computed from a world position, voxels
 };
 
 }  // namespace voledit

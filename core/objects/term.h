@@ -26,12 +26,18 @@ struct VolumeTerm {
     TransferFunction appearance;
 };
 
+/// What a TransferTerm was in the scene. `by: [a, b, c]` compiles to c of b of a, of which c is the `Outermost` and b
+/// and a follow as `SameList`; a single STF is `Outermost`. An STF that is switched off is kept as an identity, so
+/// that a `transfer` object is always to be found.
+enum class TransferRole : std::uint8_t { Outermost, SameList, Place };
+
 /// [→](Ψ, of). `place` compiles to this too, with an AffineMap.
 struct TransferTerm {
     TransferPtr by;
     TermPtr of;
     Combine combine = Combine::Union;
     std::string name;  // the STF's name in the scene, for `sample`'s path; may be empty
+    TransferRole role = TransferRole::Outermost;
 };
 
 /// One node of a compiled term, and the box that holds all of its opacity.
@@ -53,6 +59,7 @@ struct ObjectSample {
 void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient);
 
 TermPtr makeVolumeTerm(std::shared_ptr<const Volume> volume, int channel, TransferFunction appearance);
-TermPtr makeTransferTerm(TransferPtr by, TermPtr of, Combine combine, std::string name);
+TermPtr makeTransferTerm(TransferPtr by, TermPtr of, Combine combine, std::string name,
+                         TransferRole role = TransferRole::Outermost);
 
 }  // namespace voledit
