@@ -49,7 +49,7 @@ Json pathOf(const Term& root, Vec3 p) {
     const Term* term = &root;
     while (const auto* transfer = std::get_if<TransferTerm>(&term->node)) {
         transfer->by->map({&p, 1}, {&p, 1});
-        if (!transfer->placement) path.push_back({{"name", transfer->name}, {"point", toJson(p)}});
+        if (transfer->role != TransferRole::Place) path.push_back({{"name", transfer->name}, {"point", toJson(p)}});
         term = transfer->of.get();
     }
     return path;
