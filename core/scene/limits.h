@@ -1,0 +1,21 @@
+#pragma once
+// How large a scene may be. A file beyond these is refused before anything is allocated for it.
+
+#include <cstddef>
+
+namespace voledit {
+
+/// Bytes of a scene file.
+inline constexpr std::size_t kLargestSceneFile = std::size_t(256) << 20;
+/// Objects and lists within each other. The deepest term still fits every thread's stack.
+inline constexpr std::size_t kDeepestNesting = 1000;
+/// Mapped cells of all lattices together: at about half a kilobyte each, 2 GiB.
+inline constexpr std::size_t kMostCells = 4'000'000;
+/// Control points of all lattices together.
+inline constexpr std::size_t kMostControlPoints = 1'000'000;
+/// Degree of a Bézier lattice along one axis.
+inline constexpr int kLargestDegree = 64;
+/// Control points of a B-spline lattice along one axis.
+inline constexpr int kMostPointsAlongAxis = 1024;
+
+}  // namespace voledit
