@@ -7,20 +7,9 @@
 #include <vector>
 
 #include "app/editor/input.h"
+#include "app/editor/places.h"
 
 namespace voledit {
-
-/// A place on the screen as an event names it; found when its line runs.
-struct Place {
-    enum class Kind : unsigned char { Pixel, View, Point, Joint, Key, Widget, Here };
-    Kind kind = Kind::Pixel;
-    Vec2 at{0};        // Pixel: window pixels; View: fractions of the viewport
-    std::string name;  // Point: lattice; Joint; Key: track; Widget: "Panel/Label"
-    Index3 point{0};   // Point: i, j, k; Key: the number in x
-    Vec2 offset{0};    // "+DX,DY", pixels; Here: from where the mouse is
-
-    bool operator==(const Place&) const = default;
-};
 
 /// One line.
 struct Event {
@@ -64,11 +53,7 @@ std::vector<Event> loadEvents(const std::filesystem::path& path);
 
 /// One line of a file, without comment; nullopt where there is nothing on it. Throws Error without file and line.
 std::optional<Event> parseEvent(const std::string& line);
-/// "X,Y", "@point(pull,3,3,3)+40,-20" … Throws Error.
-Place parsePlace(const std::string& text);
-
 /// The line that `parseEvent` reads as `event`.
 std::string lineOf(const Event& event);
-std::string textOf(const Place& place);
 
 }  // namespace voledit
