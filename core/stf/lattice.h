@@ -53,6 +53,7 @@ public:
 private:
     Lattice lattice_;
     MappedCells cells_;
+    Index3 count_;  // of cells
     Outside outside_;
 };
 

@@ -12,10 +12,12 @@
 
 namespace voledit {
 
+class CellLocator;
+
 /// A point found in a tetrahedron.
 struct CellLocation {
     std::uint32_t tetrahedron;          // index into MappedCells::tetrahedra()
-    std::array<double, 4> barycentric;  // weights of its vertices, sum 1
+    std::array<double, 4> barycentric;  // weights of its vertices, each ≥ 0, sum 1
 };
 
 /// Hexahedra with deformed positions and source coordinates at their vertices, each split into six tetrahedra along
@@ -31,7 +33,8 @@ public:
         std::vector<std::array<std::uint32_t, 8>> hexahedra;
     };
 
-    /// Throws Error if an index is out of range, a size differs, or a position is not finite.
+    /// Throws Error if an index is out of range, a size differs, or a position is not finite. Cheap; what only point
+    /// location needs is built on its first use (safely from many threads).
     explicit MappedCells(Data data);
     ~MappedCells();
     MappedCells(const MappedCells&) = delete;
@@ -45,20 +48,29 @@ public:
     /// deformed volume) stay in the list, so that indices hold, but are never found nor drawn.
     std::span<const std::array<std::uint32_t, 4>> tetrahedra() const { return tetrahedra_; }
     /// Signed deformed volume × 6 over source volume × 6 (the determinant of dp/dq); negative where the map folds, 0
-    /// where degenerate. One for each tetrahedron.
+    /// where degenerate, ±infinity where only the source is flat. One for each tetrahedron.
     std::span<const double> determinants() const { return determinants_; }
 
     /// Box of the deformed positions.
     const Box3& bounds() const { return bounds_; }
-    /// True if some tetrahedra are inverted relative to the others, or if cells overlap: then a point may have several
-    /// pre-images and renderers must combine them.
-    bool mayOverlap() const { return mayOverlap_; }
+    /// A thickness, world units, below which a deformed tetrahedron counts as degenerate and within which a point
+    /// counts as touching one: a few rounding errors of the largest coordinate.
+    double thickness() const { return thickness_; }
+    /// False only if no point has several pre-images; true where cells fold or overlap, and where they touch or are
+    /// degenerate so that they might: then renderers must combine the pre-images. Found out on first use (README.md).
+    bool mayOverlap() const;
 
-    /// Appends every tetrahedron that contains p, in the order of tetrahedra(); a point on a shared face, edge or
-    /// vertex is reported once for each pre-image, not once for each tetrahedron that touches it.
+    /// Appends every tetrahedron that contains p, in the order of tetrahedra(). A point on a shared face, edge or
+    /// vertex is reported once for each pre-image, not once for each tetrahedron that touches it: locations of one
+    /// source point (within rounding) count once, as the first of them. On the crease of a fold, where two sheets meet
+    /// in one source point, that is one pre-image.
     void locateAll(const Vec3& p, std::vector<CellLocation>& found) const;
     /// The first of `locateAll`; false where there is none.
     bool locate(const Vec3& p, CellLocation& found) const;
+    /// The same, trying tetrahedron `hint` and its neighbours in the cell first; several times as fast for points that
+    /// follow one another closely. `hint` becomes the tetrahedron found. Where !mayOverlap(), a point well inside a
+    /// tetrahedron is found in it, and any other as `locate` finds it; where mayOverlap() the hint is not used.
+    bool locateNear(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
 
     /// q at a location, exact within the tetrahedron.
     Vec3 sourceAt(const CellLocation& at) const;
@@ -69,13 +81,15 @@ public:
     void map(std::span<const Vec3> p, std::span<Vec3> q) const;
 
 private:
-    struct Tree;
+    struct Lazy;
+    const CellLocator& locator() const;
+
     Data data_;
     std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
     std::vector<double> determinants_;
     Box3 bounds_;
-    bool mayOverlap_ = false;
-    std::unique_ptr<const Tree> tree_;
+    double thickness_ = 0;
+    std::unique_ptr<Lazy> lazy_;
 };
 
 /// Vertex numbers (i + 2j + 4k) of the six tetrahedra of a hexahedron, all along the diagonal 0–7, positively oriented

@@ -1,0 +1,180 @@
+#include "core/stf/cell_locator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/base/parallel.h"
+
+namespace voledit {
+
+namespace {
+/// Grid entries for each hexahedron that are worth their memory; cells that all lie over each other get a coarser grid.
+constexpr std::size_t kEntriesPerHexahedron = 48;
+constexpr int kMaxResolution = 512;
+
+/// Weights of the nearby point that is in the tetrahedron; as they are where the point is.
+void clampWeights(std::array<double, 4>& weights) {
+    if (*std::min_element(weights.begin(), weights.end()) >= 0) return;
+    double sum = 0;
+    for (double& weight : weights) sum += weight = std::max(weight, 0.0);
+    for (double& weight : weights) weight /= sum;
+}
+}  // namespace
+
+CellLocator::CellLocator(const MappedCells& cells) {
+    buildInverses(cells);
+    buildGrid(cells);
+}
+
+void CellLocator::buildInverses(const MappedCells& cells) {
+    const auto tetrahedra = cells.tetrahedra();
+    inverses_.resize(tetrahedra.size());
+    parallelFor(tetrahedra.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            Inverse& inverse = inverses_[t];
+            const auto& v = tetrahedra[t];
+            inverse.origin = cells.deformed()[v[0]];
+            if (cells.determinants()[t] == 0) {
+                inverse.weightsFromEdge = Mat3(0);
+                inverse.tolerance.fill(-kInfinity);
+                continue;
+            }
+            const Vec3 e1 = cells.deformed()[v[1]] - inverse.origin, e2 = cells.deformed()[v[2]] - inverse.origin,
+                       e3 = cells.deformed()[v[3]] - inverse.origin;
+            const double volume = glm::dot(e1, glm::cross(e2, e3));
+            const std::array<Vec3, 3> rows{glm::cross(e2, e3) / volume, glm::cross(e3, e1) / volume,
+                                           glm::cross(e1, e2) / volume};
+            inverse.weightsFromEdge = glm::transpose(Mat3(rows[0], rows[1], rows[2]));
+            // A row's length is 1 / the height over its face: the same distance for each face.
+            inverse.tolerance = {glm::length(rows[0] + rows[1] + rows[2]), glm::length(rows[0]), glm::length(rows[1]),
+                                 glm::length(rows[2])};
+            for (double& tolerance : inverse.tolerance) tolerance *= cells.thickness();
+        }
+    });
+}
+
+void CellLocator::buildGrid(const MappedCells& cells) {
+    const auto hexahedra = cells.hexahedra();
+    boxes_.resize(hexahedra.size());
+    for (std::size_t h = 0; h < hexahedra.size(); ++h) {
+        Box3& box = boxes_[h];
+        for (const std::uint32_t v : hexahedra[h]) box = join(box, cells.deformed()[v]);
+        box = {box.min - cells.thickness(), box.max + cells.thickness()};
+        bounds_ = join(bounds_, box);
+    }
+    if (hexahedra.empty()) {
+        starts_.assign(2, 0);
+        return;
+    }
+    const Vec3 extent =
+        glm::max(bounds_.size(), Vec3(1e-9 * std::max({bounds_.size().x, bounds_.size().y, bounds_.size().z, 1e-300})));
+    double side = std::cbrt(extent.x * extent.y * extent.z / (4 * double(hexahedra.size())));
+    for (;; side *= 1.5) {
+        for (int a = 0; a < 3; ++a) {
+            resolution_[a] = std::clamp(int(std::min(extent[a] / side, 1e6)), 1, kMaxResolution);
+            cellsPerUnit_[a] = resolution_[a] / extent[a];
+        }
+        std::size_t entries = 0;
+        for (const Box3& box : boxes_) {
+            const auto [first, last] = range(box);
+            const Index3 count = last - first + 1;
+            entries += std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z);
+        }
+        const bool smallest = resolution_ == Index3(1);
+        if (smallest || entries <= kEntriesPerHexahedron * hexahedra.size()) break;
+    }
+    fillGrid(resolution_);
+}
+
+void CellLocator::fillGrid(const Index3& resolution) {
+    const auto forEntries = [&](const auto& body) {
+        for (std::uint32_t h = 0; h < boxes_.size(); ++h) {
+            const auto [first, last] = range(boxes_[h]);
+            for (int k = first.z; k <= last.z; ++k)
+                for (int j = first.y; j <= last.y; ++j)
+                    for (int i = first.x; i <= last.x; ++i)
+                        body(h, std::size_t(i) + std::size_t(resolution.x) *
+                                                     (std::size_t(j) + std::size_t(resolution.y) * std::size_t(k)));
+        }
+    };
+    starts_.assign(std::size_t(resolution.x) * std::size_t(resolution.y) * std::size_t(resolution.z) + 1, 0);
+    forEntries([&](std::uint32_t, std::size_t cell) { ++starts_[cell + 1]; });
+    for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+    entries_.resize(starts_.back());
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+    forEntries([&](std::uint32_t h, std::size_t cell) { entries_[next[cell]++] = h; });
+}
+
+std::pair<Index3, Index3> CellLocator::range(const Box3& box) const {
+    const Index3 top = resolution_ - 1;
+    return {glm::clamp(Index3((box.min - bounds_.min) * cellsPerUnit_), Index3(0), top),
+            glm::clamp(Index3((box.max - bounds_.min) * cellsPerUnit_), Index3(0), top)};
+}
+
+std::span<const std::uint32_t> CellLocator::candidates(const Vec3& p) const {
+    if (!bounds_.contains(p)) return {};
+    const Index3 c = glm::min(Index3((p - bounds_.min) * cellsPerUnit_), resolution_ - 1);
+    const std::size_t cell = std::size_t(c.x) + std::size_t(resolution_.x) *
+                                                    (std::size_t(c.y) + std::size_t(resolution_.y) * std::size_t(c.z));
+    return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+}
+
+std::array<double, 4> CellLocator::weights(const Inverse& tetrahedron, const Vec3& p) {
+    const Vec3 w = tetrahedron.weightsFromEdge * (p - tetrahedron.origin);
+    return {1 - w.x - w.y - w.z, w.x, w.y, w.z};
+}
+
+/// Calls accepted(tetrahedron, weights) in list order until it gives true.
+template <class Visit>
+void CellLocator::visit(const Vec3& p, const Visit& accepted) const {
+    for (const std::uint32_t h : candidates(p)) {
+        if (!boxes_[h].contains(p)) continue;
+        for (std::uint32_t t = 6 * h; t < 6 * h + 6; ++t) {
+            const Inverse& inverse = inverses_[t];
+            auto w = weights(inverse, p);
+            bool inside = true;
+            for (std::size_t i = 0; i < 4; ++i) inside = inside && w[i] >= -inverse.tolerance[i];
+            if (!inside) continue;
+            clampWeights(w);
+            if (accepted(t, w)) return;
+        }
+    }
+}
+
+bool CellLocator::first(const Vec3& p, CellLocation& found) const {
+    bool any = false;
+    visit(p, [&](std::uint32_t t, const std::array<double, 4>& w) {
+        found = {t, w};
+        return any = true;
+    });
+    return any;
+}
+
+void CellLocator::all(const Vec3& p, std::vector<CellLocation>& found) const {
+    visit(p, [&](std::uint32_t t, const std::array<double, 4>& w) {
+        found.push_back({t, w});
+        return false;
+    });
+}
+
+bool CellLocator::wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& found) const {
+    const auto tries = [&](std::uint32_t t) {
+        const Inverse& inverse = inverses_[t];
+        const auto w = weights(inverse, p);
+        for (std::size_t i = 0; i < 4; ++i)
+            // A degenerate tetrahedron's weights are 1, 0, 0, 0.
+            if (!(w[i] > std::abs(inverse.tolerance[i]))) return false;
+        found = {t, w};
+        hint = t;
+        return true;
+    };
+    if (tries(hint)) return true;
+    const std::uint32_t start = hint / 6 * 6, last = hint;
+    for (std::uint32_t t = start; t < start + 6; ++t)
+        if (t != last && tries(t)) return true;
+    return false;
+}
+
+}  // namespace voledit

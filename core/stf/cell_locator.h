@@ -1,0 +1,51 @@
+#pragma once
+// Point location in mapped cells: a uniform grid over the hexahedra, exact tests of their tetrahedra.
+
+#include <span>
+#include <vector>
+
+#include "core/stf/mapped_cells.h"
+
+namespace voledit {
+
+/// Finds the tetrahedra that contain a point. A tetrahedron accepts points up to `MappedCells::thickness` beyond each
+/// face, so that rounding never loses a point between two that share a face; weights are then clamped to it. Immutable.
+class CellLocator {
+public:
+    /// Keeps what it needs of `cells`, which need not live on.
+    explicit CellLocator(const MappedCells& cells);
+
+    /// The first tetrahedron, in list order, that accepts p.
+    bool first(const Vec3& p, CellLocation& found) const;
+    /// Every tetrahedron that accepts p, in list order, appended.
+    void all(const Vec3& p, std::vector<CellLocation>& found) const;
+    /// Whether p lies in tetrahedron `hint` or one of its hexahedron's, farther from its faces than tolerance.
+    bool wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
+
+private:
+    struct Inverse {
+        Vec3 origin;                      // its vertex 0
+        Mat3 weightsFromEdge;             // p − origin to the weights of vertices 1, 2, 3
+        std::array<double, 4> tolerance;  // how far below 0 each weight may be; negative: never accepts
+    };
+    static std::array<double, 4> weights(const Inverse& tetrahedron, const Vec3& p);
+    void buildInverses(const MappedCells& cells);
+    void buildGrid(const MappedCells& cells);
+    void fillGrid(const Index3& resolution);
+    /// Grid cells that `box` meets: from first to last, inclusive.
+    std::pair<Index3, Index3> range(const Box3& box) const;
+    /// Hexahedra whose boxes meet the grid cell of p, ascending; empty outside.
+    std::span<const std::uint32_t> candidates(const Vec3& p) const;
+    template <class Visit>
+    void visit(const Vec3& p, const Visit& accepted) const;
+
+    std::vector<Inverse> inverses_;
+    std::vector<Box3> boxes_;  // of the hexahedra, grown by the tolerance
+    Box3 bounds_;
+    Index3 resolution_{1};
+    Vec3 cellsPerUnit_{0};
+    std::vector<std::uint32_t> starts_;  // of each grid cell's hexahedra in entries_; one more at the end
+    std::vector<std::uint32_t> entries_;
+};
+
+}  // namespace voledit

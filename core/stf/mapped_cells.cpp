@@ -1,0 +1,226 @@
+#include "core/stf/mapped_cells.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <mutex>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/stf/cell_locator.h"
+#include "core/stf/cell_overlap.h"
+
+namespace voledit {
+
+// A path along the hexahedron's edges from 0 to 7 for each order of the axes; the two orders' orientations alternate,
+// so that the middle vertices are swapped in every second one.
+const std::array<std::array<int, 4>, 6> kHexahedronTetrahedra{
+    {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
+
+namespace {
+
+bool finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void validate(const MappedCells::Data& data) {
+    const std::string remedy = "give eight indices for each cell and a finite source point for each deformed one";
+    if (data.deformed.size() != data.source.size())
+        throw Error("mapped cells",
+                    std::to_string(data.deformed.size()) + " deformed positions but " +
+                        std::to_string(data.source.size()) + " source coordinates",
+                    remedy);
+    if (!data.jacobian.empty() && data.jacobian.size() != data.deformed.size())
+        throw Error("mapped cells", "there must be one Jacobian for each vertex or none", remedy);
+    for (const auto* positions : {&data.deformed, &data.source})
+        for (std::size_t v = 0; v < positions->size(); ++v)
+            if (!finite((*positions)[v]))
+                throw Error("mapped cells", "position " + std::to_string(v) + " is not finite", remedy);
+    for (std::size_t h = 0; h < data.hexahedra.size(); ++h)
+        for (const std::uint32_t v : data.hexahedra[h])
+            if (v >= data.deformed.size())
+                throw Error("mapped cells",
+                            "cell " + std::to_string(h) + " names vertex " + std::to_string(v) + " of " +
+                                std::to_string(data.deformed.size()),
+                            remedy);
+    if (data.hexahedra.size() > std::numeric_limits<std::uint32_t>::max() / 6)
+        throw Error("mapped cells", std::to_string(data.hexahedra.size()) + " cells are too many", "use fewer cells");
+}
+
+/// Edges of a tetrahedron from its first vertex, as columns.
+Mat3 edges(const std::vector<Vec3>& positions, const std::array<std::uint32_t, 4>& t) {
+    const Vec3& origin = positions[t[0]];
+    return Mat3(positions[t[1]] - origin, positions[t[2]] - origin, positions[t[3]] - origin);
+}
+
+/// Inverse of `m` times its determinant, as rows' cross products; needs no division.
+Mat3 adjugate(const Mat3& m) {
+    return glm::transpose(Mat3(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])));
+}
+
+/// dp/dq's determinant, 0 for a tetrahedron that is thinner than `thickness`.
+double determinantOf(const Mat3& deformed, const Mat3& source, double thickness) {
+    const double volume = glm::determinant(deformed);
+    const Mat3 faces = glm::transpose(adjugate(deformed));
+    const double largestFace = std::max({glm::length(faces[0]), glm::length(faces[1]), glm::length(faces[2]),
+                                         glm::length(faces[0] + faces[1] + faces[2])});
+    if (std::abs(volume) <= thickness * largestFace) return 0;
+    const double rest = glm::determinant(source);
+    return rest == 0 ? std::copysign(kInfinity, volume) : volume / rest;
+}
+
+/// dq/dp at the vertices: the mean of the tetrahedra around each, weighted by deformed volume.
+std::vector<Mat3> averagedJacobians(const MappedCells::Data& data,
+                                    const std::vector<std::array<std::uint32_t, 4>>& tetrahedra,
+                                    const std::vector<double>& determinants) {
+    std::vector<Mat3> sum(data.deformed.size(), Mat3(0));
+    std::vector<double> weight(data.deformed.size(), 0);
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+        if (determinants[t] == 0) continue;
+        const Mat3 deformed = edges(data.deformed, tetrahedra[t]);
+        const double volume = glm::determinant(deformed);
+        // Weighted by |volume|, the inverse needs no division by it.
+        const Mat3 weighted = edges(data.source, tetrahedra[t]) * adjugate(deformed) * std::copysign(1.0, volume);
+        for (const std::uint32_t v : tetrahedra[t]) {
+            sum[v] += weighted;
+            weight[v] += std::abs(volume);
+        }
+    }
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = weight[v] > 0 ? sum[v] / weight[v] : Mat3(1);
+    return sum;
+}
+
+}  // namespace
+
+struct MappedCells::Lazy {
+    std::once_flag locatorOnce, overlapOnce;
+    std::unique_ptr<const CellLocator> locator;
+    bool overlap = false;
+};
+
+MappedCells::MappedCells(Data data) : data_(std::move(data)), lazy_(std::make_unique<Lazy>()) {
+    validate(data_);
+    double largest = 0;
+    for (const auto& hexahedron : data_.hexahedra)
+        for (const std::uint32_t v : hexahedron) bounds_ = join(bounds_, data_.deformed[v]);
+    if (!bounds_.empty())
+        for (int a = 0; a < 3; ++a)
+            largest = std::max({largest, std::abs(bounds_.min[a]), std::abs(bounds_.max[a]), bounds_.size()[a]});
+    thickness_ = 32 * std::numeric_limits<double>::epsilon() * largest;
+
+    tetrahedra_.resize(data_.hexahedra.size() * 6);
+    determinants_.resize(tetrahedra_.size());
+    parallelFor(data_.hexahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t h = begin; h < end; ++h)
+            for (std::size_t n = 0; n < 6; ++n) {
+                auto& tetrahedron = tetrahedra_[6 * h + n];
+                for (std::size_t v = 0; v < 4; ++v)
+                    tetrahedron[v] = data_.hexahedra[h][std::size_t(kHexahedronTetrahedra[n][v])];
+                determinants_[6 * h + n] =
+                    determinantOf(edges(data_.deformed, tetrahedron), edges(data_.source, tetrahedron), thickness_);
+            }
+    });
+    if (data_.jacobian.empty()) data_.jacobian = averagedJacobians(data_, tetrahedra_, determinants_);
+}
+
+MappedCells::~MappedCells() = default;
+
+const CellLocator& MappedCells::locator() const {
+    std::call_once(lazy_->locatorOnce, [this] { lazy_->locator = std::make_unique<const CellLocator>(*this); });
+    return *lazy_->locator;
+}
+
+bool MappedCells::mayOverlap() const {
+    std::call_once(lazy_->overlapOnce, [this] { lazy_->overlap = cellsMayOverlap(*this); });
+    return lazy_->overlap;
+}
+
+bool MappedCells::locate(const Vec3& p, CellLocation& found) const {
+    return locator().first(p, found);
+}
+
+bool MappedCells::locateNear(const Vec3& p, std::uint32_t& hint, CellLocation& found) const {
+    assert(hint < tetrahedra_.size());
+    if (!mayOverlap() && locator().wellInside(p, hint, found)) return true;
+    if (!locator().first(p, found)) return false;
+    hint = found.tetrahedron;
+    return true;
+}
+
+void MappedCells::locateAll(const Vec3& p, std::vector<CellLocation>& found) const {
+    const std::size_t before = found.size();
+    locator().all(p, found);
+    if (found.size() < before + 2) return;
+    // How far apart the sources of one point may come out, in two tetrahedra that both touch it.
+    const auto slack = [&](const CellLocation& at) {
+        const auto& t = tetrahedra_[at.tetrahedron];
+        const Mat3 deformed = edges(data_.deformed, t);
+        const Mat3 stretch = edges(data_.source, t) * adjugate(deformed) / glm::determinant(deformed);
+        const double largest = glm::length(stretch[0]) + glm::length(stretch[1]) + glm::length(stretch[2]);
+        return 4 * thickness_ * largest + 32 * std::numeric_limits<double>::epsilon() * glm::length(sourceAt(at));
+    };
+    std::size_t kept = before + 1;
+    for (std::size_t n = before + 1; n < found.size(); ++n) {
+        const bool again =
+            std::any_of(found.begin() + std::ptrdiff_t(before), found.begin() + std::ptrdiff_t(kept),
+                        [&](const CellLocation& other) {
+                            return glm::length(sourceAt(found[n]) - sourceAt(other)) <= slack(found[n]) + slack(other);
+                        });
+        if (!again) found[kept++] = found[n];
+    }
+    found.resize(kept);
+}
+
+Vec3 MappedCells::sourceAt(const CellLocation& at) const {
+    const auto& t = tetrahedra_[at.tetrahedron];
+    const Vec3& origin = data_.source[t[0]];
+    return origin + at.barycentric[1] * (data_.source[t[1]] - origin) +
+           at.barycentric[2] * (data_.source[t[2]] - origin) + at.barycentric[3] * (data_.source[t[3]] - origin);
+}
+
+Mat3 MappedCells::jacobianAt(const CellLocation& at) const {
+    const auto& t = tetrahedra_[at.tetrahedron];
+    Mat3 result(0);
+    for (std::size_t v = 0; v < 4; ++v) result += at.barycentric[v] * data_.jacobian[t[v]];
+    return result;
+}
+
+void MappedCells::map(std::span<const Vec3> p, std::span<Vec3> q) const {
+    assert(p.size() == q.size());
+    parallelFor(p.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        CellLocation at{};
+        std::uint32_t hint = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            q[i] = !tetrahedra_.empty() && locateNear(p[i], hint, at) ? sourceAt(at) : kUndefined;
+    });
+}
+
+MappedCells::Data gridCells(const Frame& frame, Index3 count) {
+    assert(count.x > 0 && count.y > 0 && count.z > 0);
+    MappedCells::Data data;
+    const Index3 vertices = count + 1;
+    data.source.reserve(std::size_t(vertices.x) * std::size_t(vertices.y) * std::size_t(vertices.z));
+    data.hexahedra.reserve(std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z));
+    for (int k = 0; k <= count.z; ++k)
+        for (int j = 0; j <= count.y; ++j)
+            for (int i = 0; i <= count.x; ++i)
+                data.source.push_back(frame.corner + double(i) / count.x * frame.edge[0] +
+                                      double(j) / count.y * frame.edge[1] + double(k) / count.z * frame.edge[2]);
+    data.deformed = data.source;
+    const auto vertex = [&](int i, int j, int k) {
+        return std::uint32_t(i) +
+               std::uint32_t(vertices.x) * (std::uint32_t(j) + std::uint32_t(vertices.y) * std::uint32_t(k));
+    };
+    for (int k = 0; k < count.z; ++k)
+        for (int j = 0; j < count.y; ++j)
+            for (int i = 0; i < count.x; ++i)
+                data.hexahedra.push_back({vertex(i, j, k), vertex(i + 1, j, k), vertex(i, j + 1, k),
+                                          vertex(i + 1, j + 1, k), vertex(i, j, k + 1), vertex(i + 1, j, k + 1),
+                                          vertex(i, j + 1, k + 1), vertex(i + 1, j + 1, k + 1)});
+    return data;
+}
+
+}  // namespace voledit
