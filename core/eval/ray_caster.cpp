@@ -1,0 +1,137 @@
+#include "core/eval/ray_caster.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/base/parallel.h"
+
+namespace voledit {
+
+namespace {
+
+constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
+constexpr double kOpaque = 1e-5;            // transmittance below which the rest of a ray cannot be seen
+constexpr std::size_t kFirstBlock = 16, kLargestBlock = 256;  // samples of a ray evaluated together
+
+struct Ray {
+    Vec3 origin, direction;    // unit
+    double near = 0, far = 0;  // within the bounds; near ≥ 0
+};
+
+/// The part of the ray within `box`, before the eye left out; nullopt where it misses.
+std::optional<Ray> clipped(const Vec3& origin, const Vec3& direction, const Box3& box) {
+    Ray ray{origin, direction, 0, kInfinity};
+    for (int a = 0; a < 3; ++a) {
+        if (direction[a] == 0) {
+            if (origin[a] < box.min[a] || origin[a] > box.max[a]) return std::nullopt;
+            continue;
+        }
+        const double first = (box.min[a] - origin[a]) / direction[a], second = (box.max[a] - origin[a]) / direction[a];
+        ray.near = std::max(ray.near, std::min(first, second));
+        ray.far = std::min(ray.far, std::max(first, second));
+    }
+    if (!(ray.near < ray.far)) return std::nullopt;
+    return ray;
+}
+
+class RayCaster {
+public:
+    RayCaster(const CompiledScene& scene, Index2 size) : scene_(scene), size_(size), step_(scene.stepLength()) {
+        assert(step_ > 0 && scene.opacityDistance > 0);
+    }
+
+    Vec4f pixel(int x, int y) {
+        const Vec3 direction = rayThrough(scene_.camera, size_, x, y);
+        color_ = Vec3(0);
+        transmittance_ = 1;
+        if (const auto ray = clipped(scene_.camera.eye, direction, scene_.root->bounds)) march(*ray);
+        return Vec4f(color_ + transmittance_ * scene_.render.background, 1 - transmittance_);
+    }
+
+    std::uint64_t samples() const { return samples_; }
+
+private:
+    void march(const Ray& ray) {
+        toEye_ = -ray.direction;
+        toLight_ = scene_.render.light ? glm::normalize(*scene_.render.light) : toEye_;
+        const double length = ray.far - ray.near;
+        const auto steps = std::size_t(std::ceil(length / step_));
+        std::size_t block = kFirstBlock;  // small at first: many rays end soon after they meet a surface
+        for (std::size_t start = 0; start < steps && transmittance_ >= kOpaque; start += block) {
+            if (start) block = std::min(2 * block, kLargestBlock);
+            const std::size_t end = std::min(steps, start + block);
+            points_.clear();
+            lengths_.clear();
+            for (std::size_t n = start; n < end; ++n) {
+                // The last step is what is left of the ray, sampled in its own middle.
+                const double from = double(n) * step_, to = std::min(from + step_, length);
+                points_.push_back(ray.origin + (ray.near + 0.5 * (from + to)) * ray.direction);
+                lengths_.push_back(to - from);
+            }
+            composite();
+        }
+    }
+
+    void composite() {
+        values_.resize(points_.size());
+        sample(*scene_.root, points_, values_, scene_.render.shading);
+        samples_ += points_.size();
+        for (std::size_t n = 0; n < points_.size() && transmittance_ >= kOpaque; ++n) {
+            const ObjectSample& s = values_[n];
+            if (!(s.opacity > 0)) continue;
+            const double through =
+                std::pow(1 - std::min(s.opacity, kLargestOpacity), lengths_[n] / scene_.opacityDistance);
+            const Vec3 color = shade(scene_.render, s.color, s.normalGradient, toEye_, toLight_);
+            color_ += transmittance_ * (1 - through) * color;
+            transmittance_ *= through;
+        }
+    }
+
+    const CompiledScene& scene_;
+    Index2 size_;
+    double step_;
+    Vec3 toEye_{0}, toLight_{0};
+    Vec3 color_{0};
+    double transmittance_ = 1;
+    std::uint64_t samples_ = 0;
+    std::vector<Vec3> points_;
+    std::vector<double> lengths_;
+    std::vector<ObjectSample> values_;
+};
+
+void castRowsReporting(const CompiledScene& scene, Picture& picture, Index2 rows, RayStatistics* statistics,
+                       Progress* progress) {
+    assert(rows[0] >= 0 && rows[0] <= rows[1] && rows[1] <= picture.size.y);
+    std::atomic<std::uint64_t> samples{0};
+    std::atomic<int> done{0};
+    const int count = rows[1] - rows[0];
+    parallelFor(std::size_t(count), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            report(progress, double(done++) / count);
+            RayCaster caster(scene, picture.size);
+            const int y = rows[0] + int(row);
+            for (int x = 0; x < picture.size.x; ++x) picture.at(x, y) = caster.pixel(x, y);
+            samples += caster.samples();
+        }
+    });
+    if (statistics) statistics->samples += samples;
+}
+
+}  // namespace
+
+Picture castRays(const CompiledScene& scene, Index2 size, RayStatistics* statistics, Progress* progress) {
+    Picture picture(size);
+    castRowsReporting(scene, picture, {0, size.y}, statistics, progress);
+    report(progress, 1);
+    return picture;
+}
+
+void castRows(const CompiledScene& scene, Picture& picture, int firstRow, int lastRow, RayStatistics* statistics) {
+    castRowsReporting(scene, picture, {firstRow, lastRow}, statistics, nullptr);
+}
+
+}  // namespace voledit
