@@ -82,12 +82,4 @@ private:
 std::optional<std::size_t> controlPointAt(const LatticeView& view, const Camera& camera, Index2 size, const Vec2& at,
                                           double radius);
 
-/// Appends `view` to `overlay`. Indices are sorted; `scale` is that of the interface.
-struct LatticeLook {
-    std::vector<std::size_t> selected, folded;
-    std::optional<std::size_t> hovered;
-    double scale = 1;
-};
-void appendLattice(const LatticeView& view, const LatticeLook& look, Overlay& overlay);
-
 }  // namespace voledit

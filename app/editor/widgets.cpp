@@ -1,0 +1,345 @@
+#include "app/editor/widgets.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/editor/icons.h"
+#include "app/editor/theme.h"
+
+namespace voledit {
+
+void applyEdit(Document& document, const Edit& edit, const std::string& name,
+               const std::function<void(Scene&)>& change) {
+    if (edit.cancelled) {
+        document.cancel();
+        return;
+    }
+    if (edit.changed) document.preview(change);
+    if (edit.finished) document.commit(name);
+}
+
+namespace ui {
+
+namespace {
+
+constexpr float kLabelShare = 0.36f;
+
+/// What stands before "##".
+std::string shownPart(const char* label) {
+    const char* end = std::strstr(label, "##");
+    return end ? std::string(label, end) : std::string(label);
+}
+
+std::string hidden(const char* label) {
+    return std::string("##") + label;
+}
+
+bool escapePressed() {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+}
+
+/// Notes, explains and judges the item drawn last.
+Edit finish(const char* label, bool changed, const std::string& help) {
+    noteWidget(label);
+    tooltip(help);
+    Edit edit{changed, ImGui::IsItemDeactivatedAfterEdit(), false};
+    // While a field is typed in, Escape is the text field's own: it puts the old text back.
+    const ImGuiID id = ImGui::GetItemID();
+    if (ImGui::IsItemActive() && !ImGui::TempInputIsActive(id) && escapePressed()) {
+        ImGui::ClearActiveID();
+        edit = {false, false, true};
+    }
+    return edit;
+}
+
+std::string formatOf(const NumberFormat& format) {
+    std::string unit;
+    for (const char* c = format.unit; *c; ++c) unit += *c == '%' ? "%%" : std::string(1, *c);
+    return "%." + std::to_string(format.decimals) + "f" + unit;
+}
+
+float speedOf(const NumberFormat& format, double value) {
+    if (format.speed > 0) return float(format.speed);
+    const bool bounded = std::isfinite(format.min) && std::isfinite(format.max);
+    return float(bounded ? (format.max - format.min) / 300 : std::max(std::abs(value) / 100, 0.01));
+}
+
+/// A dragged number of the current item width; `label` with "##".
+bool drag(const char* label, double& value, const NumberFormat& format) {
+    const double low = std::isfinite(format.min) ? format.min : -1e30;
+    const double high = std::isfinite(format.max) ? format.max : 1e30;
+    const bool bounded = std::isfinite(format.min) || std::isfinite(format.max);
+    return ImGui::DragScalar(label, ImGuiDataType_Double, &value, speedOf(format, value), bounded ? &low : nullptr,
+                             bounded ? &high : nullptr, formatOf(format).c_str(),
+                             bounded ? ImGuiSliderFlags_AlwaysClamp : ImGuiSliderFlags_None);
+}
+
+/// The coloured mark of axis `a` at the left end of the item drawn last.
+void axisMark(int a) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const float width = std::round(ImGui::GetFontSize() * 0.18f);
+    ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + width, max.y}, packed(theme::kAxis[std::size_t(a)], 0.9f),
+                                              ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
+}
+
+float thirdOfRow() {
+    const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
+    return (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
+}
+
+constexpr const char* kAxisLabels[] = {"X", "Y", "Z"};
+
+}  // namespace
+
+void row(const char* label) {
+    const std::string shown = shownPart(label);
+    if (shown.empty()) {
+        ImGui::SetNextItemWidth(-FLT_MIN);
+        return;
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * kLabelShare));
+    ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+void note(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void warning(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kWarning));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted((std::string(icons::kWarning) + " " + text).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void tooltip(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
+    if (ImGui::GetCurrentContext()->HoveredIdTimer < 0.5f) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void heading(const char* text) {
+    ImGui::Spacing();
+    ImGui::PushFont(font(FontRole::Small));
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+bool button(const char* label, const std::string& help, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool clicked = ImGui::Button(label);
+    ImGui::EndDisabled();
+    noteWidget(label);
+    tooltip(help);
+    return clicked;
+}
+
+bool iconButton(const char* icon, const char* name, const std::string& help, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    const float side = ImGui::GetFrameHeight();
+    const bool clicked = ImGui::Button((std::string(icon) + "##" + name).c_str(), {side * 1.1f, side});
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    noteWidget(name);
+    tooltip(help.empty() ? name : help);
+    return clicked;
+}
+
+void actionButton(const Actions& actions, const std::string& id, const char* icon) {
+    const Action* action = actions.find(id);
+    if (!action) return;
+    const bool clicked = icon ? iconButton(icon, action->title.c_str(), actions.tooltip(id), action->isEnabled())
+                              : button(action->title.c_str(), actions.tooltip(id), action->isEnabled());
+    if (clicked) actions.run(id);
+}
+
+void actionMenuItem(const Actions& actions, const std::string& id) {
+    const Action* action = actions.find(id);
+    if (!action) return;
+    const bool clicked = ImGui::MenuItem(action->title.c_str(), action->shortcut.c_str(),
+                                         action->checked && action->checked(), action->isEnabled());
+    noteWidget(action->title);
+    tooltip(action->help);
+    if (clicked) actions.run(id);
+}
+
+Edit checkbox(const char* label, bool& value, const std::string& help) {
+    row(label);
+    const bool changed = ImGui::Checkbox(hidden(label).c_str(), &value);
+    Edit edit = finish(label, changed, help);
+    edit.finished = changed;
+    return edit;
+}
+
+Edit combo(const char* label, int& index, std::span<const std::string> items, const std::string& help) {
+    row(label);
+    const bool known = index >= 0 && std::size_t(index) < items.size();
+    bool changed = false;
+    const bool open = ImGui::BeginCombo(hidden(label).c_str(), known ? items[std::size_t(index)].c_str() : "",
+                                        ImGuiComboFlags_HeightLarge);
+    noteWidget(label);
+    if (!open) {
+        tooltip(help);
+        return {};
+    }
+    const WidgetScope scope(shownPart(label));
+    for (int i = 0; i < int(items.size()); ++i) {
+        const bool chosen = ImGui::Selectable(items[std::size_t(i)].c_str(), i == index);
+        noteWidget(items[std::size_t(i)]);
+        if (i == index && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+        if (chosen && i != index) {
+            index = i;
+            changed = true;
+        }
+    }
+    ImGui::EndCombo();
+    return {changed, changed, false};
+}
+
+Edit choice(const char* label, int& index, std::span<const std::string> items, const std::string& help) {
+    row(label);
+    const int count = int(items.size());
+    const float spacing = std::max(1.0f, std::round(ImGui::GetStyle().ItemInnerSpacing.x / 6));
+    const float width = (ImGui::GetContentRegionAvail().x - spacing * float(count - 1)) / float(std::max(1, count));
+    const WidgetScope scope(shownPart(label));
+    ImGui::PushID(label);
+    bool changed = false;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) ImGui::SameLine(0, spacing);
+        if (i == index) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Header));
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetColorU32(ImGuiCol_Header));
+        }
+        const bool clicked = ImGui::Button(items[std::size_t(i)].c_str(), {width, 0});
+        if (i == index) ImGui::PopStyleColor(2);
+        noteWidget(items[std::size_t(i)]);
+        tooltip(help);
+        if (clicked && i != index) {
+            index = i;
+            changed = true;
+            break;
+        }
+    }
+    ImGui::PopID();
+    return {changed, changed, false};
+}
+
+Edit number(const char* label, double& value, const NumberFormat& format, const std::string& help) {
+    row(label);
+    const bool changed = drag(hidden(label).c_str(), value, format);
+    return finish(label, changed, help);
+}
+
+Edit integer(const char* label, int& value, int min, int max, const std::string& help) {
+    row(label);
+    const bool changed =
+        ImGui::DragInt(hidden(label).c_str(), &value, 0.1f, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
+    return finish(label, changed, help);
+}
+
+Edit slider(const char* label, double& value, const NumberFormat& format, const std::string& help) {
+    row(label);
+    const ImGuiSliderFlags flags =
+        ImGuiSliderFlags_AlwaysClamp | (format.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    const bool changed = ImGui::SliderScalar(hidden(label).c_str(), ImGuiDataType_Double, &value, &format.min,
+                                             &format.max, formatOf(format).c_str(), flags);
+    return finish(label, changed, help);
+}
+
+Edit vector(const char* label, Vec3& value, const NumberFormat& format, const std::string& help) {
+    row(label);
+    const float width = thirdOfRow();
+    const std::string name = shownPart(label);
+    Edit edit;
+    for (int a = 0; a < 3; ++a) {
+        if (a > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::SetNextItemWidth(width);
+        const std::string part = name + " " + kAxisLabels[a];
+        const bool changed = drag(hidden(part.c_str()).c_str(), value[a], format);
+        edit = edit | finish(part.c_str(), changed, help);
+        axisMark(a);
+    }
+    return edit;
+}
+
+Edit integers(const char* label, Index3& value, int min, int max, const std::string& help) {
+    row(label);
+    const float width = thirdOfRow();
+    const std::string name = shownPart(label);
+    Edit edit;
+    for (int a = 0; a < 3; ++a) {
+        if (a > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::SetNextItemWidth(width);
+        const std::string part = name + " " + kAxisLabels[a];
+        const bool changed =
+            ImGui::DragInt(hidden(part.c_str()).c_str(), &value[a], 0.1f, min, max, "%d", ImGuiSliderFlags_AlwaysClamp);
+        edit = edit | finish(part.c_str(), changed, help);
+        axisMark(a);
+    }
+    return edit;
+}
+
+Edit color(const char* label, Vec3& value, const std::string& help) {
+    row(label);
+    ImGui::PushID(label);
+    const ImVec4 shown{float(value.x), float(value.y), float(value.z), 1};
+    const ImVec2 size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
+    const auto flags = ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop;
+    if (ImGui::ColorButton("##swatch", shown, flags, size)) ImGui::OpenPopup("picker");
+    noteWidget(label);
+    tooltip(help);
+    Edit edit;
+    if (ImGui::BeginPopup("picker")) {
+        const WidgetScope scope(shownPart(label));
+        float rgb[3] = {shown.x, shown.y, shown.z};
+        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 14);
+        const bool changed = ImGui::ColorPicker3(
+            "##picker", rgb,
+            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_PickerHueBar | ImGuiColorEditFlags_NoSmallPreview);
+        if (changed) value = Vec3(rgb[0], rgb[1], rgb[2]);
+        edit = finish("Picker", changed, "");
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    return edit;
+}
+
+Edit text(const char* label, std::string& value, const std::string& help) {
+    row(label);
+    const bool changed = ImGui::InputText(hidden(label).c_str(), &value);
+    noteWidget(label);
+    tooltip(help);
+    return {changed, ImGui::IsItemDeactivatedAfterEdit(), false};
+}
+
+bool section(const char* label, bool openAtFirst) {
+    ImGui::PushStyleColor(ImGuiCol_Header, 0);
+    const bool open = ImGui::CollapsingHeader(label, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+    ImGui::PopStyleColor();
+    noteWidget(label);
+    return open;
+}
+
+}  // namespace ui
+}  // namespace voledit
