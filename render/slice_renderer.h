@@ -17,13 +17,21 @@ struct SliceStatistics {
     std::size_t culledCells = 0;  // tetrahedra that cannot be seen
 };
 
+/// How slices are made; the defaults are what pictures are drawn with, the rest is for tests and measurements.
+struct SliceOptions {
+    bool cull = true;    // leave out cells that cannot be seen
+    bool mask = true;    // stop at pixels that are nearly opaque
+    int segments = 2;    // steps that one slice stands for: a slab is so many steps thick
+    int subsamples = 4;  // points of each step that are classified, between the scalars at its ends
+};
+
 /// Draws compiled scenes with the current GL context. Keeps textures and programs between pictures and uploads only
 /// what changed (it compares the immutable pieces by address). A picture may be spread over several calls.
 class SliceRenderer {
 public:
     /// Needs a current context, the same one for every later call and for destruction. Throws Error where a shader
     /// does not compile.
-    SliceRenderer();
+    explicit SliceRenderer(const SliceOptions& options = {});
     ~SliceRenderer();
     SliceRenderer(const SliceRenderer&) = delete;
     SliceRenderer& operator=(const SliceRenderer&) = delete;

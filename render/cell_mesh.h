@@ -1,0 +1,47 @@
+#pragma once
+// Cells that slices cut: bricks of an affinely placed volume, or the tetrahedra of mapped cells.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/fields/volume.h"
+#include "core/stf/mapped_cells.h"
+#include "render/visibility.h"
+
+namespace voledit {
+
+/// Visible cells of one kind with shared vertices and edges. A plane cuts an edge in one point for all cells around
+/// it, so that neighbours share it to the bit and leave no crack; no vertex lies within another cell's edge.
+struct CellMesh {
+    enum class Kind : std::uint8_t { Brick, Tetrahedron };
+    /// Index coordinates and their derivative along the world's axes (columns), for tetrahedra; bricks have none, as
+    /// one matrix holds for all of them.
+    struct Source {
+        Vec3f index;
+        Mat3f jacobian;
+    };
+
+    Kind kind = Kind::Brick;
+    std::vector<Vec3> position;                        // world, one for each vertex
+    std::vector<Source> source;                        // the same, or empty
+    std::vector<std::array<std::uint32_t, 2>> edges;   // vertices
+    std::vector<std::uint32_t> cellVertices;           // 8 or 4 for each cell, as in cell_cut.h
+    std::vector<std::uint32_t> cellEdges;              // 12 or 6 for each cell
+    std::size_t culled = 0;                            // cells left out as nothing in them can be seen
+
+    int verticesPerCell() const { return kind == Kind::Brick ? 8 : 4; }
+    int edgesPerCell() const { return kind == Kind::Brick ? 12 : 6; }
+    std::size_t cellCount() const { return cellVertices.size() / std::size_t(verticesPerCell()); }
+};
+
+/// Bricks of kBrickSide³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
+/// @param reach  world units along a ray that a slab extends from its slice; what is seen there counts too
+CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double reach);
+
+/// Tetrahedra of `cells`, in their order, without degenerate ones.
+/// @param worldFromDeformed,indexFromSource  affine maps outside and inside the cells
+CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
+                         const VolumeGrid& grid, const Visibility& visibility, double reach);
+
+}  // namespace voledit

@@ -1,0 +1,61 @@
+#include "render/slice_resources.h"
+
+#include <glm/matrix.hpp>
+
+namespace voledit {
+
+void SliceResources::prepare(const SlicePlan& plan, bool cull, double reach) {
+    prepareVolume(*plan.volume);
+    prepareTable(plan.volume->appearance);
+    if (!visibility_) {
+        visibility_.emplace(volume_->ranges, table_->table);
+        mesh_.reset();
+    }
+    prepareMesh(plan, cull, reach);
+}
+
+void SliceResources::prepareVolume(const VolumeTerm& term) {
+    if (volume_ && volume_->source.lock() == term.volume && volume_->channel == term.channel) return;
+    // The old one goes first, so that two never need to fit.
+    volume_.reset();
+    visibility_.reset();
+    volume_.emplace(Volumes{term.volume, term.channel, makeVolumeTexture(*term.volume, term.channel),
+                            brickRanges(*term.volume, term.channel)});
+}
+
+void SliceResources::prepareTable(const TransferFunction& function) {
+    const double min = volume_->ranges.min, max = volume_->ranges.max;
+    if (table_ && table_->min == min && table_->max == max && table_->source == function) return;
+    visibility_.reset();
+    Tables made{function, min, max, makeTransferTable(function, min, max), {}, {}, {}};
+    made.thickness = makeTable(GL_RG32F, TransferTable::kSize, made.table.thickness);
+    made.color = makeTable(GL_RGBA32F, TransferTable::kSize, made.table.color);
+    if (!made.table.gradientFactor.empty())
+        made.gradient = makeTable(GL_R32F, TransferTable::kSize, made.table.gradientFactor);
+    table_ = std::move(made);
+}
+
+void SliceResources::prepareMesh(const SlicePlan& plan, bool cull, double reach) {
+    const TransferPtr source = plan.forward ? plan.forward->by : nullptr;
+    if (mesh_ && mesh_->mapped == (source != nullptr) && mesh_->source.lock() == source &&
+        mesh_->worldFromDeformed == plan.worldFromDeformed && mesh_->indexFromSource == plan.indexFromSource &&
+        mesh_->cull == cull && mesh_->reach == reach)
+        return;
+    const Visibility everything;
+    const Visibility& visibility = cull ? *visibility_ : everything;
+    const VolumeGrid& grid = plan.volume->volume->grid();
+    CellMesh mesh = source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid,
+                                             visibility, reach)
+                           : brickMesh(grid, glm::inverse(plan.indexFromSource), visibility, reach);
+    mesh_.emplace(Meshes{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, reach,
+                         std::move(mesh)});
+}
+
+void SliceResources::bind() const {
+    glBindTextureUnit(0, volume_->texture.texture.name());
+    glBindTextureUnit(1, table_->thickness.name());
+    glBindTextureUnit(2, table_->color.name());
+    glBindTextureUnit(3, table_->gradient.name());
+}
+
+}  // namespace voledit

@@ -1,0 +1,62 @@
+#pragma once
+// What slices need of a scene on the GPU and the CPU, kept between pictures.
+
+#include <memory>
+#include <optional>
+
+#include "render/cell_mesh.h"
+#include "render/gl_objects.h"
+#include "render/slice_plan.h"
+#include "render/transfer_table.h"
+#include "render/visibility.h"
+#include "render/volume_texture.h"
+
+namespace voledit {
+
+/// Textures, tables, visibility and cells of the term drawn last. `prepare` makes anew only what differs: volumes and
+/// maps are compared by identity, transfer functions and matrices by value.
+class SliceResources {
+public:
+    /// @param cull   false: nothing is left out (for tests)
+    /// @param reach  world units along a ray that a slab extends from its slice
+    void prepare(const SlicePlan& plan, bool cull, double reach);
+
+    const VolumeTexture& volume() const { return volume_->texture; }
+    const TransferTable& table() const { return table_->table; }
+    const CellMesh& mesh() const { return mesh_->mesh; }
+    /// Binds the volume and the tables to texture units 0…3: volume, thickness, colour, gradient factor.
+    void bind() const;
+
+private:
+    struct Volumes {
+        std::weak_ptr<const Volume> source;
+        int channel;
+        VolumeTexture texture;
+        BrickRanges ranges;
+    };
+    struct Tables {
+        TransferFunction source;
+        double min, max;
+        TransferTable table;
+        Texture thickness, color, gradient;
+    };
+    struct Meshes {
+        std::weak_ptr<const SpatialTransferFunction> source;
+        bool mapped;
+        Mat4 worldFromDeformed, indexFromSource;
+        bool cull;
+        double reach;
+        CellMesh mesh;
+    };
+
+    void prepareVolume(const VolumeTerm& term);
+    void prepareTable(const TransferFunction& function);
+    void prepareMesh(const SlicePlan& plan, bool cull, double reach);
+
+    std::optional<Volumes> volume_;
+    std::optional<Tables> table_;
+    std::optional<Visibility> visibility_;  // of volume_ and table_
+    std::optional<Meshes> mesh_;            // of visibility_
+};
+
+}  // namespace voledit

@@ -1,0 +1,98 @@
+#include "render/slice_target.h"
+
+namespace voledit {
+
+void SliceTarget::start(Index2 size) {
+    if (size != size_) {
+        size_ = size;
+        color_ = makeTexture2D(GL_RGBA32F, size);
+        depth_ = makeTexture2D(GL_DEPTH_COMPONENT24, size);
+        slices_ = makeFramebuffer(color_.name(), depth_.name(), false);
+        masking_ = makeFramebuffer(0, depth_.name(), false);
+        if (!nothing_) nothing_ = makeVertexArray();
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    const float clear[4] = {0, 0, 0, 0}, far = 1;
+    glClearNamedFramebufferfv(slices_.name(), GL_COLOR, 0, clear);
+    glClearNamedFramebufferfv(slices_.name(), GL_DEPTH, 0, &far);
+}
+
+void SliceTarget::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, slices_.name());
+    glViewport(0, 0, size_.x, size_.y);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+}
+
+void SliceTarget::mask(ShaderLibrary& shaders) {
+    Program& program = shaders.get({"fullscreen.vert", "mask.frag", {}});
+    program.set("accumulated", 0);
+    program.set("opaque", kOpaque);
+    program.use();
+    glBindTextureUnit(0, color_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, masking_.name());
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glBindVertexArray(nothing_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+std::vector<Vec4f> SliceTarget::read() const {
+    std::vector<Vec4f> pixels(std::size_t(size_.x) * std::size_t(size_.y));
+    glGetTextureImage(color_.name(), 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size() * sizeof(Vec4f)), pixels.data());
+    return pixels;
+}
+
+GlStateGuard::GlStateGuard() {
+    glGetIntegerv(GL_VIEWPORT, viewport_);
+    glGetIntegerv(GL_SCISSOR_BOX, scissor_);
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray_);
+    glGetIntegerv(GL_DEPTH_FUNC, &depthFunction_);
+    glGetIntegerv(GL_BLEND_SRC_RGB, &blend_[0]);
+    glGetIntegerv(GL_BLEND_DST_RGB, &blend_[1]);
+    glGetIntegerv(GL_BLEND_SRC_ALPHA, &blend_[2]);
+    glGetIntegerv(GL_BLEND_DST_ALPHA, &blend_[3]);
+    glGetIntegerv(GL_BLEND_EQUATION_RGB, &blendEquation_[0]);
+    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &blendEquation_[1]);
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
+    glGetBooleanv(GL_COLOR_WRITEMASK, colorMask_);
+    blends_ = glIsEnabled(GL_BLEND);
+    depthTests_ = glIsEnabled(GL_DEPTH_TEST);
+    scissors_ = glIsEnabled(GL_SCISSOR_TEST);
+    culls_ = glIsEnabled(GL_CULL_FACE);
+    stencils_ = glIsEnabled(GL_STENCIL_TEST);
+}
+
+GlStateGuard::~GlStateGuard() {
+    const auto put = [](GLenum what, GLboolean on) { on ? glEnable(what) : glDisable(what); };
+    put(GL_BLEND, blends_);
+    put(GL_DEPTH_TEST, depthTests_);
+    put(GL_SCISSOR_TEST, scissors_);
+    put(GL_CULL_FACE, culls_);
+    put(GL_STENCIL_TEST, stencils_);
+    glColorMask(colorMask_[0], colorMask_[1], colorMask_[2], colorMask_[3]);
+    glDepthMask(depthMask_);
+    glDepthFunc(GLenum(depthFunction_));
+    glBlendFuncSeparate(GLenum(blend_[0]), GLenum(blend_[1]), GLenum(blend_[2]), GLenum(blend_[3]));
+    glBlendEquationSeparate(GLenum(blendEquation_[0]), GLenum(blendEquation_[1]));
+    glBindVertexArray(GLuint(vertexArray_));
+    glUseProgram(GLuint(program_));
+    glBindFramebuffer(GL_FRAMEBUFFER, GLuint(framebuffer_));
+    glScissor(scissor_[0], scissor_[1], scissor_[2], scissor_[3]);
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+}
+
+}  // namespace voledit

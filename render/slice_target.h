@@ -1,0 +1,49 @@
+#pragma once
+// Where slices are composited.
+
+#include "render/gl_objects.h"
+#include "render/shader_library.h"
+
+namespace voledit {
+
+/// A picture in 32-bit floats, premultiplied, and a depth buffer that masks pixels which are nearly opaque.
+class SliceTarget {
+public:
+    /// Alpha from which on a pixel is masked: what lies behind would change it by a quarter of one of 255 levels.
+    static constexpr float kOpaque = 0.999F;
+
+    /// Clears it; makes new textures where the size differs.
+    void start(Index2 size);
+    /// Binds it for slices: front-to-back compositing, masked pixels closed.
+    void bind() const;
+    /// Masks nearly opaque pixels. Leaves the target unbound.
+    void mask(ShaderLibrary& shaders);
+
+    GLuint texture() const { return color_.name(); }
+    Index2 size() const { return size_; }
+    /// The pixels, bottom row first, premultiplied.
+    std::vector<Vec4f> read() const;
+
+private:
+    Index2 size_{0, 0};
+    Texture color_, depth_;
+    Framebuffer slices_, masking_;  // the second has only the depth, so that the colour may be read
+    VertexArray nothing_;
+};
+
+/// Notes the pieces of GL state that slices change and puts them back.
+class GlStateGuard {
+public:
+    GlStateGuard();
+    ~GlStateGuard();
+    GlStateGuard(const GlStateGuard&) = delete;
+    GlStateGuard& operator=(const GlStateGuard&) = delete;
+
+private:
+    GLint viewport_[4], scissor_[4], framebuffer_, program_, vertexArray_, depthFunction_;
+    GLint blend_[4], blendEquation_[2];
+    GLboolean depthMask_, colorMask_[4];
+    GLboolean blends_, depthTests_, scissors_, culls_, stencils_;
+};
+
+}  // namespace voledit

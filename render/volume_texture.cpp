@@ -1,0 +1,89 @@
+#include "render/volume_texture.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/fields/voxel_type.h"
+
+namespace voledit {
+
+namespace {
+
+/// How integers of T are spread over 0…65535: stored = (value − lowest) · step.
+template <class T>
+struct Spread {
+    static constexpr int kLowest = std::numeric_limits<T>::lowest();
+    static constexpr int kStep = sizeof(T) == 1 ? 257 : 1;
+};
+
+template <class T>
+constexpr bool kFitsR16 = std::is_integral_v<T> && sizeof(T) <= 2;
+
+/// Calls upload(firstSlice, sliceCount, values) until every slice of `channel` was converted to Stored.
+template <class Stored, class T, class Upload>
+void convert(const Volume& volume, int channel, T, const Upload& upload) {
+    const VolumeGrid& grid = volume.grid();
+    const T* voxels = reinterpret_cast<const T*>(volume.voxels().data()) + channel;
+    const std::size_t slice = std::size_t(grid.size.x) * std::size_t(grid.size.y);
+    const int block = int(std::clamp<std::size_t>((std::size_t(4) << 20) / slice, 1, std::size_t(grid.size.z)));
+    std::vector<Stored> values(slice * std::size_t(block));
+    for (int k = 0; k < grid.size.z; k += block) {
+        const int count = std::min(block, grid.size.z - k);
+        const T* from = voxels + std::size_t(k) * slice * std::size_t(grid.channels);
+        parallelFor(slice * std::size_t(count), 1 << 18, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t n = begin; n < end; ++n) {
+                const T value = from[n * std::size_t(grid.channels)];
+                if constexpr (kFitsR16<T>)
+                    values[n] = Stored((int(value) - Spread<T>::kLowest) * Spread<T>::kStep);
+                else
+                    values[n] = Stored(value);
+            }
+        });
+        upload(k, count, values.data());
+    }
+}
+
+void checkSize(Index3 size) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    if (std::max({size.x, size.y, size.z}) > largest)
+        throw Error("volume of " + std::to_string(size.x) + "x" + std::to_string(size.y) + "x" + std::to_string(size.z),
+                    "this GPU holds at most " + std::to_string(largest) + " voxels an axis", "use --renderer rays");
+}
+
+}  // namespace
+
+VolumeTexture makeVolumeTexture(const Volume& volume, int channel) {
+    const Index3 size = volume.grid().size;
+    checkSize(size);
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_3D, 1, &name);
+    VolumeTexture result{Texture(name), 1, 0};
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTextureParameteri(name, filter, GL_LINEAR);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    withVoxelType(volume.type(), [&](auto t) {
+        using T = decltype(t);
+        using Stored = std::conditional_t<kFitsR16<T>, std::uint16_t, float>;
+        glTextureStorage3D(name, 1, kFitsR16<T> ? GL_R16 : GL_R32F, size.x, size.y, size.z);
+        if (glGetError() == GL_OUT_OF_MEMORY)
+            throw Error("volume", "the GPU's memory is too small for it", "use --renderer rays");
+        if constexpr (kFitsR16<T>) {
+            result.valueScale = 65535.0 / Spread<T>::kStep;
+            result.valueOffset = Spread<T>::kLowest;
+        }
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        convert<Stored>(volume, channel, t, [&](int k, int count, const Stored* values) {
+            glTextureSubImage3D(name, 0, 0, 0, k, size.x, size.y, count, GL_RED,
+                                kFitsR16<T> ? GL_UNSIGNED_SHORT : GL_FLOAT, values);
+        });
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    });
+    return result;
+}
+
+}  // namespace voledit

@@ -1,0 +1,7 @@
+#version 450 core
+// fullscreen.vert: one triangle over the whole picture at the near plane; draw three vertices without buffers.
+
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, -1.0, 1.0);
+}
