@@ -1,0 +1,26 @@
+#include <memory>
+
+#include "app/editor/icons.h"
+#include "app/editor/panel.h"
+#include "app/editor/panels/appearance_panel.h"
+#include "app/editor/panels/history_panel.h"
+#include "app/editor/panels/lattice_panel.h"
+#include "app/editor/panels/render_panel.h"
+#include "app/editor/panels/scene_panel.h"
+
+namespace voledit {
+
+std::vector<Panel> makePanels() {
+    const auto isOpen = [](const Workspace& workspace) { return workspace.open; };
+    const auto appearance = std::make_shared<AppearancePanel>();
+    std::vector<Panel> panels;
+    panels.push_back({"Scene", drawScenePanel, {}, icons::kScene, true});
+    panels.push_back({"Lattice", drawLatticePanel, isOpen, icons::kLattice, true});
+    panels.push_back(
+        {"Appearance", [appearance](Workspace& w) { appearance->draw(w); }, isOpen, icons::kAppearance, true});
+    panels.push_back({"Render", drawRenderPanel, isOpen, icons::kRender, false});
+    panels.push_back({"History", drawHistoryPanel, isOpen, icons::kHistory, false});
+    return panels;
+}
+
+}  // namespace voledit

@@ -1,0 +1,61 @@
+#include "app/editor/panels/render_panel.h"
+
+#include <glm/geometric.hpp>
+
+#include "app/editor/widgets.h"
+#include "core/scene/edits.h"
+
+namespace voledit {
+
+namespace {
+
+void drawRenderer(Workspace& workspace) {
+    static const std::vector<std::string> names{"Auto", "Slices", "Rays"};
+    int index = int(workspace.renderer);
+    if (ui::choice("Renderer", index, names,
+                   "Slices: OpenGL, fast. Rays: on the processor, the reference. Auto: what suits the machine.")
+            .changed)
+        workspace.renderer = RendererChoice(index);
+}
+
+void drawShading(Document& document) {
+    RenderSettings render = document.scene().render;
+    const auto apply = [&](const Edit& edit, const char* name) {
+        applyEdit(document, edit, name, [&](Scene& scene) { setRenderSettings(scene, render); });
+    };
+    apply(ui::checkbox("Shading", render.shading, "Light surfaces by the gradient of the data"), "Change shading");
+    if (!render.shading) return;
+    NumberFormat share{0, 1, 0, 2};
+    apply(ui::slider("Ambient", render.ambient, share, "Light from everywhere"), "Change ambient light");
+    apply(ui::slider("Diffuse", render.diffuse, share, "Light on matt surfaces"), "Change diffuse light");
+    apply(ui::slider("Specular", render.specular, share, "Highlights"), "Change specular light");
+    NumberFormat exponent{1, 200, 0, 0, "", true};
+    apply(ui::slider("Shininess", render.shininess, exponent, "Sharpness of the highlights"), "Change shininess");
+
+    static const std::vector<std::string> lights{"Headlight", "Fixed"};
+    int light = render.light ? 1 : 0;
+    const Edit chosen = ui::choice("Light", light, lights, "Shines from the eye, or from a fixed direction");
+    if (chosen.changed) render.light = light == 1 ? std::optional<Vec3>(Vec3(-1, -2, 2)) : std::nullopt;
+    apply(chosen, "Change light");
+    if (!render.light) return;
+    NumberFormat direction{-10, 10, 0.01, 2};
+    const Edit turned = ui::vector("Direction", *render.light, direction, "From the surface towards the light");
+    if (glm::length(*render.light) > 1e-6) apply(turned, "Change light");
+}
+
+}  // namespace
+
+void drawRenderPanel(Workspace& workspace) {
+    Document& document = workspace.document;
+    drawRenderer(workspace);
+    RenderSettings render = document.scene().render;
+    NumberFormat steps{0.1, 4, 0, 2, "", true};
+    const Edit stepped = ui::slider("Step", render.step, steps, "Of the smallest spacing: smaller is finer and slower");
+    applyEdit(document, stepped, "Change step", [&](Scene& scene) { setRenderSettings(scene, render); });
+    render = document.scene().render;
+    const Edit painted = ui::color("Background", render.background, "Behind everything");
+    applyEdit(document, painted, "Change background", [&](Scene& scene) { setRenderSettings(scene, render); });
+    drawShading(document);
+}
+
+}  // namespace voledit
