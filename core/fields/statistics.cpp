@@ -17,7 +17,7 @@ constexpr int kBins = 256;
 
 std::size_t binOf(double value, double min, double max) {
     const double bin = (value - min) / (max - min) * kBins;
-    return bin >= kBins - 1 ? kBins - 1 : std::size_t(bin);
+    return bin < kBins - 1 ? std::size_t(bin) : kBins - 1;  // not a number where all values are one
 }
 
 template <class T>
