@@ -1,0 +1,269 @@
+#include "app/editor/editor.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <new>
+#include <utility>
+
+#include "app/editor/locate.h"
+#include "app/editor/theme.h"
+#include "app/editor/tools/lattice_view.h"
+#include "app/editor/tools/tool_actions.h"
+#include "core/base/error.h"
+#include "core/scene/edits.h"
+
+namespace voledit {
+
+namespace {
+
+constexpr PointerButton kToolButton[] = {PointerButton::Left, PointerButton::Right, PointerButton::Middle};
+
+Modifiers modifiersNow() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {io.KeyShift, io.KeyCtrl, io.KeyAlt};
+}
+
+bool isModifier(Key key) {
+    return key >= Key::Shift;
+}
+
+// A digit of the keypad is the digit, as event files and shortcuts name it.
+Key withoutKeypad(Key key) {
+    if (key >= Key::Keypad0 && key <= Key::Keypad9) return Key(int(Key::Num0) + int(key) - int(Key::Keypad0));
+    switch (key) {
+        case Key::KeypadDecimal:
+            return Key::Period;
+        case Key::KeypadSubtract:
+            return Key::Minus;
+        case Key::KeypadEnter:
+            return Key::Enter;
+        default:
+            return key;
+    }
+}
+
+// "G", "Escape", "7", "." as the tools name keys: signs stand for themselves.
+std::string toolKeyName(Key key) {
+    key = withoutKeypad(key);
+    const bool sign = int(key) > ' ' && int(key) < 128;
+    return sign ? std::string(1, char(key)) : std::string(nameOf(key));
+}
+
+// Chords that a text field uses itself.
+bool belongsToTextField(const Chord& chord) {
+    if (!chord.ctrl) return true;
+    constexpr std::array kOwn{Key::A, Key::C,    Key::V,     Key::X,    Key::Z,
+                              Key::Y, Key::Left, Key::Right, Key::Home, Key::End};
+    return std::find(kOwn.begin(), kOwn.end(), chord.key) != kOwn.end();
+}
+
+}  // namespace
+
+Editor::Editor(const EditorSettings& settings, IoClient& io)
+    : context_(ImGui::CreateContext()), files_(workspace_, io, settings.open), panels_(makePanels()) {
+    makeCurrent();
+    ImGuiIO& imgui = ImGui::GetIO();
+    imgui.IniFilename = nullptr;
+    imgui.LogFilename = nullptr;
+    imgui.UserData = &widgets_;
+    imgui.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    imgui.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    mapImGuiKeys();
+    workspace_.headless = settings.headless;
+    workspace_.renderer = settings.renderer;
+    workspace_.scale = settings.scale;
+    // A cursor that blinks would make pictures depend on when they were taken.
+    imgui.ConfigInputTextCursorBlink = !settings.headless;
+    applyTheme(settings.scale);
+    ++fontsBuilt_;
+    addFileActions();
+    addEditActions();
+    addToolActions(workspace_.actions, workspace_, tools_);
+    addViewActions();
+    addLookActions();
+}
+
+Editor::~Editor() {
+    ImGui::DestroyContext(context_);
+}
+
+void Editor::makeCurrent() const {
+    ImGui::SetCurrentContext(context_);
+}
+
+const ImDrawData& Editor::drawData() const {
+    makeCurrent();
+    return *ImGui::GetDrawData();
+}
+
+void Editor::setScale(float scale) {
+    if (scale != workspace_.scale) newScale_ = scale;
+}
+
+void Editor::frame(const FrameInput& input) {
+    makeCurrent();
+    if (newScale_) {
+        workspace_.scale = *std::exchange(newScale_, std::nullopt);
+        applyTheme(workspace_.scale);
+        ++fontsBuilt_;
+    }
+    queue_.push(input.events);
+    const std::vector<InputEvent> events = queue_.takeFrame();
+    if (recorder_) recorder_->frame(events, input.seconds);
+    workspace_.clock += input.seconds;
+
+    window_ = glm::max(input.size, Index2(1));
+    layout_ = layoutOf(window_, workspace_.scale);
+    workspace_.viewOrigin = layout_.view.origin;
+    workspace_.viewSize = layout_.view.size;
+    if (files_.poll() && recorder_) recorder_->loaded();
+
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(float(window_.x), float(window_.y));
+    io.DeltaTime = float(std::max(input.seconds, 1e-4));
+    feedImGui(events);
+    widgets_.newFrame();
+    ImGui::NewFrame();
+    const auto guarded = [&](auto&& work) {
+        try {
+            work();
+        } catch (const Error& error) {
+            workspace_.notify(Notice::Kind::Problem, error.what());
+        } catch (const std::bad_alloc&) {
+            workspace_.notify(Notice::Kind::Problem, "There is not enough memory for this; nothing was changed.");
+        }
+    };
+    guarded([&] { dispatch(events); });
+    if (input.close) guarded([&] { files_.quit(); });
+    drawInterface();
+    tidySelection();
+    compileScene();
+    overlay_ = {};
+    if (workspace_.open && workspace_.overlays)
+        guarded([&] { tools_.lattice().fillOverlay(toolContext(workspace_), overlay_); });
+    ImGui::Render();
+}
+
+// ---- Input --------------------------------------------------------------------------------------------------------
+
+void Editor::dispatch(const std::vector<InputEvent>& events) {
+    const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    const ImGuiWindow* view = ImGui::FindWindowByName("##view");
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    const bool over = view && imgui.HoveredWindow == view && !popup && !files_.loading() && workspace_.open;
+    if (hovered_ && !over && !tools_.capturing())
+        tools_.pointer(toolContext(workspace_), {PointerPhase::Leave, {}, PointerButton::None, {}, 0});
+    hovered_ = over;
+    for (const InputEvent& event : events) switch (event.kind) {
+            case InputEvent::Kind::Key:
+                if (event.down && !isModifier(event.key)) dispatchKey(event.key);
+                break;
+            case InputEvent::Kind::Drop:
+                if (!files_.loading()) files_.open(event.text);
+                break;
+            case InputEvent::Kind::Text:
+                break;
+            default:
+                dispatchPointer(event);
+        }
+}
+
+void Editor::dispatchPointer(const InputEvent& event) {
+    PointerEvent pointer;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    pointer.at = Vec2(mouse.x, mouse.y) - Vec2(workspace_.viewOrigin);
+    pointer.modifiers = modifiersNow();
+    const bool ours = hovered_ || tools_.capturing() || tools_.lattice().moving();
+    switch (event.kind) {
+        case InputEvent::Kind::Move:
+            pointer.at = event.at - Vec2(workspace_.viewOrigin);
+            if (ours) tools_.pointer(toolContext(workspace_), pointer);
+            break;
+        case InputEvent::Kind::Button:
+            pointer.phase = event.down ? PointerPhase::Down : PointerPhase::Up;
+            pointer.button = kToolButton[int(event.button)];
+            if (event.down ? hovered_ : tools_.capturing()) tools_.pointer(toolContext(workspace_), pointer);
+            if (event.down && hovered_ && ImGui::IsMouseDoubleClicked(int(event.button))) {
+                pointer.phase = PointerPhase::DoubleClick;
+                tools_.pointer(toolContext(workspace_), pointer);
+            }
+            break;
+        case InputEvent::Kind::Wheel:
+            pointer.phase = PointerPhase::Wheel;
+            pointer.wheel = event.wheel;
+            if (hovered_) tools_.pointer(toolContext(workspace_), pointer);
+            break;
+        default:
+            break;
+    }
+}
+
+void Editor::dispatchKey(Key key) {
+    if (files_.loading()) {
+        if (key == Key::Escape) files_.cancelLoading();
+        return;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+    const Chord chord{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
+    // A widget that is dragged or typed in has the keyboard: Escape restores it.
+    const bool widgetActive = ImGui::IsAnyItemActive() && !tools_.capturing();
+    if (io.WantTextInput ? belongsToTextField(chord) : widgetActive) return;
+    if (!io.WantTextInput && workspace_.open && tools_.key(toolContext(workspace_), {toolKeyName(key), modifiersNow()}))
+        return;
+    runShortcut(chord);
+}
+
+void Editor::runShortcut(const Chord& chord) {
+    const Action* action = workspace_.actions.ofShortcut(chord);
+    if (!action) {
+        Chord plain = chord;
+        plain.key = withoutKeypad(chord.key);
+        action = workspace_.actions.ofShortcut(plain);
+    }
+    if (action && action->isEnabled()) action->run({});
+}
+
+void Editor::act(const std::string& action, const std::string& argument) {
+    makeCurrent();
+    if (recorder_) recorder_->action(action, argument);
+    workspace_.actions.run(action, argument);
+}
+
+Vec2 Editor::locate(const Place& place) const {
+    return locatePlace(place, workspace_, widgets_, window_);
+}
+
+// ---- What follows from the edits ----------------------------------------------------------------------------------
+
+void Editor::tidySelection() {
+    Selection& selection = workspace_.selection;
+    if (selection.empty()) return;
+    const auto view = latticeView(workspace_.document.scene(), &workspace_.compiled, activeLattice(workspace_));
+    if (!selection.lattice.empty() && (!view || view->name != selection.lattice)) selection = {};
+    const std::size_t count = view ? view->lattice.control.size() : 0;
+    std::erase_if(selection.points, [&](std::size_t point) { return point >= count; });
+}
+
+void Editor::compileScene() {
+    if (!workspace_.open) return;
+    Scene scene = workspace_.document.scene();
+    scene.camera = workspace_.camera;
+    if (compiledFrom_ && *compiledFrom_ == scene && workspace_.compiled.time == workspace_.time) return;
+    compiledFrom_ = scene;
+    const double aspect = double(workspace_.viewSize.x) / workspace_.viewSize.y;
+    try {
+        workspace_.compiled = compile(scene, workspace_.volumes, workspace_.time, &workspace_.compiled, aspect);
+        compileProblem_.clear();
+    } catch (const Error& error) {
+        // The picture stays the last good one.
+        if (compileProblem_ != error.what()) workspace_.notify(Notice::Kind::Problem, error.what());
+        compileProblem_ = error.what();
+    }
+}
+
+}  // namespace voledit

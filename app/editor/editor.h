@@ -1,0 +1,123 @@
+#pragma once
+// The editor without its pixels: one frame takes input and gives a compiled scene, overlays and ImGui's triangles.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/files.h"
+#include "app/editor/input_queue.h"
+#include "app/editor/layout.h"
+#include "app/editor/notice_list.h"
+#include "app/editor/panel.h"
+#include "app/editor/places.h"
+#include "app/editor/recorder.h"
+#include "app/editor/tools/viewport_tools.h"
+#include "app/editor/widget_places.h"
+#include "app/editor/workspace.h"
+
+struct ImGuiContext;
+struct ImDrawData;
+
+namespace voledit {
+
+struct EditorSettings {
+    float scale = 1;
+    bool headless = false;
+    RendererChoice renderer = RendererChoice::Auto;
+    OpenOptions open;
+};
+
+/// How fast the picture followed the last interaction; only in a window.
+struct FrameTimes {
+    double frameMs = 0;    // median time from input to its picture
+    double refinedMs = 0;  // from the last input to full quality; 0 while refining
+};
+
+/// Owns what is edited and how it is shown; knows nothing of GL or windows. Everything happens in `frame`, in one
+/// order: input → tools and actions → interface → compile → overlay. Each step takes values and gives values; what
+/// changed is found by comparing them.
+class Editor {
+public:
+    /// `io` outlives it.
+    Editor(const EditorSettings& settings, IoClient& io);
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    /// One frame. Problems become notices; nothing is thrown for them.
+    void frame(const FrameInput& input);
+    /// What the frame is drawn from: ImGui's triangles, with texture `kViewTexture` where the viewport's picture goes.
+    const ImDrawData& drawData() const;
+    static constexpr unsigned kViewTexture = ~0u;
+    const Overlay& overlay() const { return overlay_; }
+    /// Counts up whenever the font atlas was built anew.
+    int fontsBuilt() const { return fontsBuilt_; }
+
+    Workspace& workspace() { return workspace_; }
+    const Workspace& workspace() const { return workspace_; }
+    Files& files() { return files_; }
+    /// True while the picture moves under the user's hand: draw fast rather than fine.
+    bool moving() const { return tools_.active(); }
+    bool inputWaits() const { return !queue_.empty(); }
+    bool finished() const { return files_.quitConfirmed(); }
+    /// Makes the interface of another size, from the next frame on.
+    void setScale(float scale);
+    /// The context of ImGui's that all is drawn in, made current.
+    void makeCurrent() const;
+
+    /// Runs a named action as an event file does. Throws Error.
+    void act(const std::string& action, const std::string& argument);
+    /// Window pixels of a place that is on the screen. Throws Error that says what there is.
+    Vec2 locate(const Place& place) const;
+    /// Where frames and actions are written; null: nowhere. Outlives the editor or is taken off.
+    void setRecorder(Recorder* recorder) { recorder_ = recorder; }
+
+    /// Shown in the status bar; nullopt when headless.
+    std::optional<FrameTimes> times;
+    /// The renderer that draws now ("slices", "rays"), and how much of the picture is done.
+    std::string rendererName = "slices";
+    double refinement = 1;
+
+private:
+    void dispatch(const std::vector<InputEvent>& events);
+    void dispatchPointer(const InputEvent& event);
+    void dispatchKey(Key key);
+    void runShortcut(const Chord& chord);
+    void drawInterface();
+    void drawMenus();
+    void drawViewport();
+    void drawPanels();
+    void drawStatus();
+    void drawShortcuts();
+    void tidySelection();
+    void compileScene();
+    void addFileActions();
+    void addEditActions();
+    void addViewActions();
+    void addLookActions();
+    std::string volumeLine() const;
+
+    ImGuiContext* context_;
+    WidgetPlaces widgets_;
+    Workspace workspace_;
+    Files files_;
+    ViewportTools tools_;
+    std::vector<Panel> panels_;
+    InputQueue queue_;
+    Recorder* recorder_ = nullptr;
+    NoticeList noticeList_;
+    Layout layout_;
+    Index2 window_{1, 1};
+    Overlay overlay_;
+    int fontsBuilt_ = 0;
+    std::optional<float> newScale_;
+    bool hovered_ = false;  // the mouse is over the viewport with nothing in front
+    bool showShortcuts_ = false;
+    std::optional<Scene> compiledFrom_;
+    std::string compileProblem_;  // of the last compilation, so that it is told once
+};
+
+}  // namespace voledit

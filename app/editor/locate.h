@@ -1,0 +1,15 @@
+#pragma once
+// From a place's name to window pixels.
+
+#include "app/editor/places.h"
+#include "app/editor/widget_places.h"
+#include "app/editor/workspace.h"
+
+namespace voledit {
+
+/// Window pixels (from the upper left) of `place`, for the viewport and camera of `workspace` and the widgets drawn
+/// last. Throws Error where it is not on the screen: outside a window of `window` pixels, a point outside the viewport
+/// or behind the eye, an unknown or hidden widget (the message lists widgets with like names), and for @joint and @key.
+Vec2 locatePlace(const Place& place, const Workspace& workspace, const WidgetPlaces& widgets, Index2 window);
+
+}  // namespace voledit
