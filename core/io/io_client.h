@@ -27,14 +27,22 @@ RawFormat parseRawFormat(const std::string& text);
 
 struct ReadOptions {
     std::optional<RawFormat> raw;
-    std::optional<Vec3> spacing;   // for stacks that carry none
-    std::size_t memoryLimit = 0;   // bytes that the parser process may use; 0: three quarters of this machine's memory
+    std::optional<Vec3> spacing;  // for stacks that carry none
+    std::size_t memoryLimit = 0;  // bytes that the parser process may use; 0: three quarters of this machine's memory
 };
 
 struct VolumeFile {
     std::shared_ptr<const Volume> volume;
-    std::string format;  // "nrrd", "nifti", "metaimage", "dicom", "tiff", "png", "vdb", "vtk", "raw"
+    std::string format;      // "nrrd", "nifti", "metaimage", "dicom", "tiff", "png", "vdb", "vtk", "raw"
+    std::string storedType;  // number type in the file, before slope and intercept ("uint8", "int64", "half", …)
     std::vector<std::string> warnings;  // what was repaired or cut, one line each
+};
+
+/// How long the parser may work without any progress before it counts as hung. Both grow with the file (a second for
+/// every 20 MB). Processor time is what tells: a slow disk or a busy machine is not the parser's fault.
+struct IoPatience {
+    double processorSeconds = 8;
+    double wallSeconds = 60;
 };
 
 /// Resident connection to one parser process, started when first needed, restarted when it died. Calls from several
@@ -42,7 +50,7 @@ struct VolumeFile {
 class IoClient {
 public:
     /// Starts nothing yet. `program`: voledit-io; by default $VOLEDIT_IO, else beside this program.
-    explicit IoClient(std::filesystem::path program = {});
+    explicit IoClient(std::filesystem::path program = {}, IoPatience patience = {});
     ~IoClient();
     IoClient(const IoClient&) = delete;
     IoClient& operator=(const IoClient&) = delete;
@@ -63,6 +71,9 @@ public:
 
     /// Reads a picture that OpenImageIO knows, first frame or page, as RGBA (values as stored, 0…1). Throws Error.
     Picture readPicture(const std::filesystem::path& path);
+
+    /// Process number of the running parser, 0 where none runs.
+    int processId() const;
 
 private:
     struct Process;

@@ -32,7 +32,7 @@ RunResult run(const std::string& program, const std::vector<std::string>& argume
 }  // namespace voledit::test
 
 /// Binds `name` to a shared file, or skips the test with a message.
-#define VOLEDIT_SHARED_OR_SKIP(name, path)                                            \
-    const auto name##Found = voledit::test::shared(path);                             \
-    if (!name##Found) GTEST_SKIP() << "shared test data " << path << " is not there"; \
+#define VOLEDIT_SHARED_OR_SKIP(name, where)                                            \
+    const auto name##Found = voledit::test::shared(where);                             \
+    if (!name##Found) GTEST_SKIP() << "shared test data " << where << " is not there"; \
     const std::filesystem::path name = *name##Found

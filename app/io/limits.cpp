@@ -1,0 +1,57 @@
+#include "app/io/limits.h"
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+namespace voledit {
+
+namespace {
+
+volatile pid_t parentProcess = 0;
+
+// The signal also comes when only the thread that started us has ended.
+void onParentDeath(int) {
+    if (getppid() != parentProcess) _exit(0);
+}
+
+std::uint64_t addressSpaceInUse() {
+    unsigned long pages = 0;
+    if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+        if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
+        std::fclose(file);
+    }
+    return std::uint64_t(pages) * std::uint64_t(sysconf(_SC_PAGESIZE));
+}
+
+void setLimit(int resource, rlim_t value) {
+    rlimit limit{};
+    getrlimit(__rlimit_resource_t(resource), &limit);
+    limit.rlim_cur = limit.rlim_max == RLIM_INFINITY || value < limit.rlim_max ? value : limit.rlim_max;
+    setrlimit(__rlimit_resource_t(resource), &limit);
+}
+
+}  // namespace
+
+void confineProcess(int parent) {
+    parentProcess = parent;
+    std::signal(SIGUSR1, onParentDeath);
+    prctl(PR_SET_PDEATHSIG, SIGUSR1);
+    if (getppid() != parent) _exit(0);
+    std::signal(SIGPIPE, SIG_IGN);
+    close_range(4, ~0u, 0);
+    setLimit(RLIMIT_CORE, 0);
+    setLimit(RLIMIT_NOFILE, kOpenFiles);
+}
+
+void limitMemory([[maybe_unused]] std::uint64_t bytes) {
+#if !defined(__SANITIZE_ADDRESS__)
+    // Libraries and thread stacks are mapped, not used: they do not count.
+    setLimit(RLIMIT_AS, rlim_t(addressSpaceInUse() + bytes));
+#endif
+}
+
+}  // namespace voledit

@@ -1,0 +1,35 @@
+#pragma once
+// Where a reader puts a volume.
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "core/fields/volume.h"
+
+namespace voledit {
+
+/// All that is known of a volume before its voxels are read.
+struct VolumeHeader {
+    VolumeGrid grid;
+    VoxelType type = VoxelType::UInt8;
+    std::string format;      // as VolumeFile::format
+    std::string storedType;  // number type in the file
+};
+
+/// Takes one volume: `allocate` once, then the returned memory is filled. May be called from the reading thread only,
+/// except `progress`.
+class VolumeSink {
+public:
+    virtual ~VolumeSink() = default;
+
+    /// Zeroed memory for the header's voxels, i fastest, channels interleaved. Throws Error where they are more than
+    /// the memory limit allows; `where` names the file.
+    virtual std::span<std::byte> allocate(const std::string& where, const VolumeHeader& header) = 0;
+    /// Fraction of the reading done, 0…1.
+    virtual void progress(double fraction) = 0;
+    /// Something that was repaired, cut or left out; the user sees it.
+    virtual void warn(const std::string& message) = 0;
+};
+
+}  // namespace voledit
