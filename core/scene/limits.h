@@ -9,6 +9,8 @@ namespace voledit {
 inline constexpr std::size_t kLargestSceneFile = std::size_t(256) << 20;
 /// Objects and lists within each other. The deepest term still fits every thread's stack.
 inline constexpr std::size_t kDeepestNesting = 1000;
+/// Numbers, texts, lists and objects of a scene file: they take up to a hundred bytes each.
+inline constexpr std::size_t kMostJsonValues = 8'000'000;
 /// Mapped cells of all lattices together: at about half a kilobyte each, 2 GiB.
 inline constexpr std::size_t kMostCells = 4'000'000;
 /// Control points of all lattices together.
