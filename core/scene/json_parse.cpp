@@ -94,15 +94,15 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& pointer, const std::string& what, const std::string& remedy) const {
-        throw Error(file_ + ": " + pointer, what, remedy);
+        throw Error(file_ + ": " + (pointer.empty() ? "/" : pointer), what, remedy);
     }
 
-    /// Place of the innermost open object or array.
+    /// Place of the innermost open object or array; empty for the outermost.
     std::string pointer() const {
         std::string result;
         for (std::size_t i = 0; i < names_.size(); ++i)
             result = names_[i] ? memberOf(result, *names_[i]) : elementOf(result, open_[i]->size() - 1);
-        return result.empty() ? "/" : result;
+        return result;
     }
 
     json* put(json value) {
@@ -158,6 +158,8 @@ private:
 }  // namespace
 
 json parseJson(const std::string& text, const std::string& file) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        throw Error(file, "the file is empty", "name another file");
     TreeBuilder builder(text, file);
     json::sax_parse(text, &builder);
     return builder.take();

@@ -154,10 +154,12 @@ struct JsonSchema::Check {
                 quoted.push_back(choice.dump());
                 plain.push_back(choice.is_string() ? choice.get<std::string>() : choice.dump());
             }
-            const std::string kind = node.title.empty() ? "" : " (" + node.title + ")";
             const std::string text = value.is_string() ? value.get<std::string>() : "";
-            return Words("found " + described(value) + ", expected " + joined(quoted) + kind,
-                         suggestion(text, plain, plain.size() > 1 ? "choose one of them" : "write that"));
+            if (quoted.size() == 1 && !node.title.empty())
+                return Words("found " + described(value) + ", expected " + node.title, "write that");
+            const std::string kind = node.title.empty() ? "" : " (" + node.title + ")";
+            return Words("found " + described(value) + ", expected one of " + joined(quoted) + kind,
+                         suggestion(text, plain, "choose one of them"));
         });
     }
 
@@ -222,7 +224,8 @@ struct JsonSchema::Check {
 
     static std::vector<std::string> propertiesOf(const Node& node) {
         std::vector<std::string> names;
-        for (const auto& [name, schema] : node.properties) names.push_back(name);
+        for (const auto& [name, schema] : node.properties)
+            if (name != "type") names.push_back(name);
         return names;
     }
 

@@ -159,8 +159,9 @@ void SceneReader::readControl(FfdTransfer& ffd, const JsonView& view) const {
     const auto count = std::size_t(ffd.points.x) * std::size_t(ffd.points.y) * std::size_t(ffd.points.z);
     if (view.value.size() != count)
         fail(view.place,
-             "found " + described(view.value) + " points; a lattice of " + std::to_string(ffd.points.x) + " × " +
-                 std::to_string(ffd.points.y) + " × " + std::to_string(ffd.points.z) + " has " + std::to_string(count),
+             "found " + described(view.value) + "; a lattice of " + std::to_string(ffd.points.x) + " × " +
+                 std::to_string(ffd.points.y) + " × " + std::to_string(ffd.points.z) + " control points has " +
+                 std::to_string(count),
              "list every control point, i fastest, or use `move`");
     for (std::size_t i = 0; i < count; ++i) ffd.moves[i] = {vector(view[i]), true};
 }
