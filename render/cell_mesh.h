@@ -23,12 +23,12 @@ struct CellMesh {
     };
 
     Kind kind = Kind::Brick;
-    std::vector<Vec3> position;                        // world, one for each vertex
-    std::vector<Source> source;                        // the same, or empty
-    std::vector<std::array<std::uint32_t, 2>> edges;   // vertices
-    std::vector<std::uint32_t> cellVertices;           // 8 or 4 for each cell, as in cell_cut.h
-    std::vector<std::uint32_t> cellEdges;              // 12 or 6 for each cell
-    std::size_t culled = 0;                            // cells left out as nothing in them can be seen
+    std::vector<Vec3> position;                       // world, one for each vertex
+    std::vector<Source> source;                       // the same, or empty
+    std::vector<std::array<std::uint32_t, 2>> edges;  // vertices
+    std::vector<std::uint32_t> cellVertices;          // 8 or 4 for each cell, as in cell_cut.h
+    std::vector<std::uint32_t> cellEdges;             // 12 or 6 for each cell
+    std::size_t culled = 0;                           // cells left out as nothing in them can be seen
 
     int verticesPerCell() const { return kind == Kind::Brick ? 8 : 4; }
     int edgesPerCell() const { return kind == Kind::Brick ? 12 : 6; }

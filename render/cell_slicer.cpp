@@ -62,8 +62,7 @@ void CellSlicer::cover(const View& view) {
         const double from = (std::max(low[a], -1.0) + 1) / 2 * view.size[a];
         const double to = (std::min(high[a], 1.0) + 1) / 2 * view.size[a];
         window_[std::size_t(a)] = std::clamp(int(std::floor(from)) - 1, 0, view.size[a]);
-        window_[std::size_t(a) + 2] =
-            std::clamp(int(std::ceil(to)) + 1, 0, view.size[a]) - window_[std::size_t(a)];
+        window_[std::size_t(a) + 2] = std::clamp(int(std::ceil(to)) + 1, 0, view.size[a]) - window_[std::size_t(a)];
     }
 }
 

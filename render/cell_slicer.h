@@ -12,14 +12,14 @@ namespace voledit {
 
 /// Triangles of several slices, front to back, for one upload. Reused, it keeps its memory.
 struct SliceBatch {
-    std::vector<float> vertices;        // CellSlicer::floatsPerVertex() each
-    std::vector<std::uint32_t> indices;  // three a triangle
+    std::vector<float> vertices;          // CellSlicer::floatsPerVertex() each
+    std::vector<std::uint32_t> indices;   // three a triangle
     std::vector<std::size_t> firstIndex;  // of each slice, and the end: slices + 1
     std::size_t polygons = 0;
 
 private:
     friend class CellSlicer;
-    std::vector<std::uint32_t> cells_;                // that the batch's slices may cut
+    std::vector<std::uint32_t> cells_;                   // that the batch's slices may cut
     std::vector<std::uint32_t> vertexOfEdge_, madeFor_;  // an edge's vertex holds if madeFor_ is the current slice
     std::uint32_t generation_ = 0;
 };

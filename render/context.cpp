@@ -16,8 +16,9 @@ GLADapiproc resolve(void* loader, const char* name) {
 void loadGl(void* (*loader)(const char*)) {
     const int version = gladLoadGLUserPtr(resolve, reinterpret_cast<void*>(loader));
     if (version < GLAD_MAKE_VERSION(4, 5))
-        throw Error("OpenGL", "version 4.5 is needed, this context has " + std::to_string(GLAD_VERSION_MAJOR(version)) +
-                                  "." + std::to_string(GLAD_VERSION_MINOR(version)),
+        throw Error("OpenGL",
+                    "version 4.5 is needed, this context has " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
+                        std::to_string(GLAD_VERSION_MINOR(version)),
                     "update the graphics driver, or use --gl osmesa or --renderer rays");
 }
 

@@ -14,7 +14,9 @@ std::string eglProblem(const char* call) {
     return std::string("EGL: ") + call + " failed (" + code + ")";
 }
 
-void* eglFunction(const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
+void* eglFunction(const char* name) {
+    return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
 
 class EglContext final : public GlContext {
 public:
@@ -23,13 +25,9 @@ public:
         if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr))
             throw Error(eglProblem("opening the surfaceless platform"));
         if (!eglBindAPI(EGL_OPENGL_API)) throw Error(eglProblem("binding OpenGL"));
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     4,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     5,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
+        const EGLint attributes[] = {
+            EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
         if (context_ == EGL_NO_CONTEXT) throw Error(eglProblem("creating an OpenGL 4.5 context"));
         makeCurrent();
@@ -58,6 +56,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<GlContext> createEglContext() { return std::make_unique<EglContext>(); }
+std::unique_ptr<GlContext> createEglContext() {
+    return std::make_unique<EglContext>();
+}
 
 }  // namespace voledit

@@ -43,7 +43,9 @@ const Library& library() {
     return opened;
 }
 
-void* osmesaFunction(const char* name) { return library().function(name); }
+void* osmesaFunction(const char* name) {
+    return library().function(name);
+}
 
 class OsmesaContext final : public GlContext {
 public:
@@ -74,6 +76,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<GlContext> createOsmesaContext() { return std::make_unique<OsmesaContext>(); }
+std::unique_ptr<GlContext> createOsmesaContext() {
+    return std::make_unique<OsmesaContext>();
+}
 
 }  // namespace voledit

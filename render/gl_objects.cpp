@@ -4,11 +4,21 @@
 
 namespace voledit {
 
-void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
-void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
-void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
-void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
-void deleteProgram(GLuint name) { glDeleteProgram(name); }
+void deleteTexture(GLuint name) {
+    glDeleteTextures(1, &name);
+}
+void deleteBuffer(GLuint name) {
+    glDeleteBuffers(1, &name);
+}
+void deleteFramebuffer(GLuint name) {
+    glDeleteFramebuffers(1, &name);
+}
+void deleteVertexArray(GLuint name) {
+    glDeleteVertexArrays(1, &name);
+}
+void deleteProgram(GLuint name) {
+    glDeleteProgram(name);
+}
 
 namespace {
 Texture makeTexture(GLenum target, GLenum filter) {
@@ -33,7 +43,10 @@ Texture makeTable(GLenum format, int width, std::span<const float> values) {
     Texture texture = makeTexture(GL_TEXTURE_1D, GL_LINEAR);
     const std::size_t channels = values.size() / std::size_t(width);
     glTextureStorage1D(texture.name(), 1, format, width);
-    glTextureSubImage1D(texture.name(), 0, 0, width, channels == 4 ? GL_RGBA : channels == 2 ? GL_RG : GL_RED,
+    glTextureSubImage1D(texture.name(), 0, 0, width,
+                        channels == 4   ? GL_RGBA
+                        : channels == 2 ? GL_RG
+                                        : GL_RED,
                         GL_FLOAT, values.data());
     return texture;
 }
@@ -52,8 +65,7 @@ Framebuffer makeFramebuffer(GLuint color, GLuint depth, bool stencil) {
         glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, color, 0);
     else
         glNamedFramebufferDrawBuffer(name, GL_NONE);
-    if (depth)
-        glNamedFramebufferTexture(name, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth, 0);
+    if (depth) glNamedFramebufferTexture(name, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth, 0);
     if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error("OpenGL", "the driver refuses a framebuffer of 32-bit floats", "use --renderer rays");
     return framebuffer;

@@ -27,7 +27,8 @@ struct Overlay {
     std::vector<OverlayPoint> points;
 };
 
-/// Draws `overlay` with antialiased edges over the currently bound framebuffer, whose viewport is `size` pixels.
+/// Draws `overlay` with antialiased edges over the currently bound framebuffer, whose viewport is `size` pixels from
+/// (0, 0).
 class OverlayRenderer {
 public:
     OverlayRenderer();

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/paths.h"
 #include "render/cell_slicer.h"
+#include "render/gl_state.h"
 #include "render/slice_plan.h"
 #include "render/slice_resources.h"
 #include "render/slice_target.h"
@@ -193,7 +194,9 @@ double SliceRenderer::progress() const {
     return state_->batchCount > 0 ? double(state_->batchesDone) / state_->batchCount : 1;
 }
 
-unsigned SliceRenderer::texture() const { return state_->target.texture(); }
+unsigned SliceRenderer::texture() const {
+    return state_->target.texture();
+}
 
 Picture SliceRenderer::readBack() const {
     const Vec3f background = state_->background;
@@ -208,7 +211,9 @@ Picture SliceRenderer::readBack() const {
     return picture;
 }
 
-const SliceStatistics& SliceRenderer::statistics() const { return state_->statistics; }
+const SliceStatistics& SliceRenderer::statistics() const {
+    return state_->statistics;
+}
 
 Picture renderSlices(SliceRenderer& renderer, const CompiledScene& scene, Index2 size) {
     renderer.begin(scene, size);

@@ -13,7 +13,7 @@ namespace voledit {
 struct SliceStatistics {
     int slices = 0;
     std::uint64_t polygons = 0;
-    std::size_t cells = 0;       // tetrahedra cut
+    std::size_t cells = 0;        // tetrahedra cut
     std::size_t culledCells = 0;  // tetrahedra that cannot be seen
 };
 

@@ -47,8 +47,8 @@ void SliceResources::prepareMesh(const SlicePlan& plan, bool cull, double reach)
     CellMesh mesh = source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid,
                                              visibility, reach)
                            : brickMesh(grid, glm::inverse(plan.indexFromSource), visibility, reach);
-    mesh_.emplace(Meshes{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, reach,
-                         std::move(mesh)});
+    mesh_.emplace(
+        Meshes{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, reach, std::move(mesh)});
 }
 
 void SliceResources::bind() const {

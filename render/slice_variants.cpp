@@ -13,7 +13,7 @@ ProgramVariant sliceVariant(const SliceVariant& variant) {
 }
 
 std::vector<ProgramVariant> allPrograms() {
-    std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}};
+    std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}, {"overlay.vert", "overlay.frag", {}}};
     for (const bool mapped : {false, true})
         for (const bool shaded : {false, true})
             for (const bool gradientOpacity : {false, true})

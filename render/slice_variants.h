@@ -8,7 +8,7 @@
 namespace voledit {
 
 struct SliceVariant {
-    bool mapped = false;           // polygons carry source coordinates and Jacobians
+    bool mapped = false;  // polygons carry source coordinates and Jacobians
     bool shaded = true;
     bool gradientOpacity = false;
     int segments = 2, subsamples = 4;  // SliceOptions

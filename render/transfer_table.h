@@ -17,8 +17,8 @@ struct TransferTable {
     /// Optical thickness of one opacity distance, x = −ln(1 − min(O, 0.9999)), and its running integral over the
     /// table's coordinate (0…kSize−1, trapezoids): pairs.
     std::vector<float> thickness;
-    std::vector<float> color;            // RGB and 0
-    std::vector<float> gradientFactor;   // over 0 … gradientHigh; empty where there is none
+    std::vector<float> color;           // RGB and 0
+    std::vector<float> gradientFactor;  // over 0 … gradientHigh; empty where there is none
     double gradientHigh = 1;
 
     /// True if some value in [from, to] has thickness above 0, as the table's linear interpolation gives it.

@@ -20,6 +20,8 @@ Vec3 View::rayAtOrigin() const {
     return basis.forward - halfExtent.x * basis.right - halfExtent.y * basis.up;
 }
 
-double View::longestRay() const { return std::sqrt(1 + glm::dot(halfExtent, halfExtent)); }
+double View::longestRay() const {
+    return std::sqrt(1 + glm::dot(halfExtent, halfExtent));
+}
 
 }  // namespace voledit

@@ -91,8 +91,8 @@ BrickRanges brickRanges(const Volume& volume, int channel) {
 
 Visibility::Visibility(const BrickRanges& ranges, const TransferTable& table) : bricks_(ranges.bricks) {
     const auto at = [&](int i, int j, int k) {
-        return std::size_t(i) + std::size_t(bricks_.x + 1) *
-                                    (std::size_t(j) + std::size_t(bricks_.y + 1) * std::size_t(k));
+        return std::size_t(i) +
+               std::size_t(bricks_.x + 1) * (std::size_t(j) + std::size_t(bricks_.y + 1) * std::size_t(k));
     };
     sums_.assign(at(0, 0, bricks_.z + 1), 0);
     std::size_t n = 0;
@@ -115,8 +115,8 @@ bool Visibility::visible(const Box3& box) const {
         end[a] = int(std::clamp(std::ceil(box.max[a] / kSide), first[a] + 1.0, double(bricks_[a])));
     }
     const auto sum = [&](int i, int j, int k) {
-        return sums_[std::size_t(i) + std::size_t(bricks_.x + 1) *
-                                          (std::size_t(j) + std::size_t(bricks_.y + 1) * std::size_t(k))];
+        return sums_[std::size_t(i) +
+                     std::size_t(bricks_.x + 1) * (std::size_t(j) + std::size_t(bricks_.y + 1) * std::size_t(k))];
     };
     const int inFront = sum(end.x, end.y, first.z) - sum(first.x, end.y, first.z) - sum(end.x, first.y, first.z) +
                         sum(first.x, first.y, first.z);

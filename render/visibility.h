@@ -13,9 +13,9 @@ namespace voledit {
 /// within one voxel of a brick lies in its range. Depends on the volume alone.
 struct BrickRanges {
     static constexpr int kSide = 4;
-    Index3 bricks{0};                // along each axis: ceil((n − 1) / kSide), at least 1
-    std::vector<float> low, high;    // low > high where a brick holds no number
-    double min = 0, max = 0;         // of all finite values; 0 where there is none
+    Index3 bricks{0};              // along each axis: ceil((n − 1) / kSide), at least 1
+    std::vector<float> low, high;  // low > high where a brick holds no number
+    double min = 0, max = 0;       // of all finite values; 0 where there is none
 };
 
 /// In parallel, at about the cost of reading the voxels. Values are rounded to float as the texture's are.
