@@ -92,8 +92,8 @@ std::vector<std::string> volumeNames() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, SharedVolume, testing::ValuesIn(volumeNames()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Shared, SharedVolume, testing::ValuesIn(volumeNames()), [](const auto& parameter) {
+    std::string name = parameter.param;
     for (char& c : name)
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     return name;
