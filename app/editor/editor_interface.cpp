@@ -188,7 +188,9 @@ void Editor::drawPanels() {
         ImGui::BeginDisabled(files_.loading());
         for (const Panel& panel : panels_) {
             if (panel.shown && !panel.shown(workspace_)) continue;
-            const bool isOpen = ui::section(panel.title.c_str());
+            const std::string label = std::string(panel.icon) + "  " + panel.title + "###" + panel.title;
+            const bool isOpen = ui::section(label.c_str(), panel.openAtFirst);
+            noteWidget(panel.title);
             if (!isOpen) continue;
             const WidgetScope scope(panel.title);
             ImGui::PushID(panel.title.c_str());

@@ -135,11 +135,6 @@ void Files::startLoading(const fs::path& path) {
     loader_.start(path, options_);
 }
 
-void Files::finishLoading() {
-    loader_.wait();
-    poll();
-}
-
 bool Files::poll() {
     auto result = loader_.take();
     if (!result) return false;

@@ -33,8 +33,8 @@ public:
 
     bool loading() const { return loader_.running(); }
     void cancelLoading() { loader_.cancel(); }
-    /// Blocks until what is loading has been taken over, or failed.
-    void finishLoading();
+    /// Blocks until what is loading is ready for poll().
+    void waitForLoading() { loader_.wait(); }
     /// Takes over what was loaded; once a frame. True where loading ended in this call. Problems become notices.
     bool poll();
     /// Why the last load failed; empty where it did not.

@@ -18,9 +18,9 @@ public:
     /// Uploads the font atlas of the current ImGui context; again after the fonts changed.
     void uploadFonts();
 
-    /// Draws over the bound framebuffer, whose size must be the draw data's. Textures named by ImTextureID 0 are the
-    /// fonts, any other number is a GL texture's name.
-    void draw(const ImDrawData& data);
+    /// Draws over the bound framebuffer, whose size must be the draw data's. Texture 0 means the fonts,
+    /// Editor::kViewTexture means `viewTexture`, any other number is a GL texture's name.
+    void draw(const ImDrawData& data, GLuint viewTexture);
 
 private:
     void drawList(const ImDrawList& list, float height);
@@ -30,6 +30,7 @@ private:
     VertexArray array_;
     Buffer vertices_, indices_;
     Texture fonts_;
+    GLuint viewTexture_ = 0;
 };
 
 }  // namespace voledit

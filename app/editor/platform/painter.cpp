@@ -1,0 +1,67 @@
+#include "app/editor/platform/painter.h"
+
+#include <imgui.h>
+
+#include "app/editor/theme.h"
+#include "core/base/error.h"
+#include "core/base/paths.h"
+
+namespace voledit {
+
+Painter::Painter() : shaders_(shaderFolder()), interface_(shaders_), picture_(shaders_) {}
+
+void Painter::guarded(Editor& editor, const std::function<void()>& draw) {
+    try {
+        draw();
+        problem_.clear();
+    } catch (const Error& error) {
+        if (problem_ != error.what()) editor.workspace().notify(Notice::Kind::Problem, error.what());
+        problem_ = error.what();
+    }
+}
+
+void Painter::paint(Editor& editor, GLuint framebuffer, double budgetMs) {
+    const Workspace& workspace = editor.workspace();
+    if (workspace.open)
+        guarded(editor, [&] { picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, budgetMs); });
+    drawWindow(editor, framebuffer);
+}
+
+Picture Painter::screenshot(Editor& editor) {
+    const Workspace& workspace = editor.workspace();
+    if (workspace.open) picture_.finish(workspace.compiled, workspace.viewSize, workspace.renderer);
+    const ImVec2 display = editor.drawData().DisplaySize;
+    const Index2 size(int(display.x), int(display.y));
+    const Texture canvas = makeTexture2D(GL_RGBA8, size);
+    const Framebuffer target = makeFramebuffer(canvas.name(), 0, false);
+    drawWindow(editor, target.name());
+    std::vector<std::uint8_t> bytes(std::size_t(size.x) * std::size_t(size.y) * 4);
+    glGetTextureImage(canvas.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(bytes.size()), bytes.data());
+    Picture picture(size);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const std::uint8_t* pixel =
+                &bytes[4 * (std::size_t(size.y - 1 - y) * std::size_t(size.x) + std::size_t(x))];
+            picture.at(x, y) = Vec4f(Vec3f(pixel[0], pixel[1], pixel[2]) / 255.0f, 1.0f);
+        }
+    return picture;
+}
+
+void Painter::drawWindow(Editor& editor, GLuint framebuffer) {
+    const Workspace& workspace = editor.workspace();
+    const ImDrawData& data = editor.drawData();
+    if (fontsBuilt_ != editor.fontsBuilt()) interface_.uploadFonts();
+    fontsBuilt_ = editor.fontsBuilt();
+    GLuint view = 0;
+    if (workspace.open) guarded(editor, [&] { view = picture_.texture(editor.overlay(), workspace.compiled.camera); });
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, GLsizei(data.DisplaySize.x), GLsizei(data.DisplaySize.y));
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(theme::kWindow.x, theme::kWindow.y, theme::kWindow.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    interface_.draw(data, view);
+    editor.rendererName = picture_.rendererName();
+    editor.refinement = picture_.progress();
+}
+
+}  // namespace voledit

@@ -1,0 +1,58 @@
+#include "app/editor/state_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/editor/tools/lattice_view.h"
+#include "core/scene/edits.h"
+#include "core/scene/scene_json.h"
+
+namespace voledit {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json sceneState(const Workspace& workspace) {
+    if (!workspace.open) return nullptr;
+    Scene scene = workspace.document.scene();
+    setCamera(scene, workspace.camera);
+    return Json::parse(sceneToJson(withDefaultsWrittenOut(scene, workspace.volumes)));
+}
+
+Json selectionState(const Workspace& workspace) {
+    const Selection& selection = workspace.selection;
+    Json points = Json::array();
+    const auto view = latticeView(workspace.document.scene(), &workspace.compiled, selection.lattice);
+    for (const std::size_t index : selection.points) {
+        if (!view) break;
+        const int at = int(index), nx = view->lattice.points.x, ny = view->lattice.points.y;
+        points.push_back({at % nx, at / nx % ny, at / (nx * ny)});
+    }
+    return {{"lattice", selection.lattice}, {"points", points}};
+}
+
+}  // namespace
+
+std::string stateJson(const Editor& editor) {
+    const Workspace& workspace = editor.workspace();
+    Json messages = Json::array();
+    for (const Notice& notice : workspace.notices) messages.push_back(notice.text);
+    Json state{
+        {"scene", sceneState(workspace)},
+        {"selection", selectionState(workspace)},
+        {"undo", workspace.document.undoNames()},
+        {"redo", workspace.document.redoNames()},
+        {"modified", workspace.open && workspace.document.modified()},
+        {"renderer", editor.rendererName},
+        {"time", workspace.time},
+        {"viewport", {workspace.viewOrigin.x, workspace.viewOrigin.y, workspace.viewSize.x, workspace.viewSize.y}},
+        {"messages", messages},
+    };
+    if (editor.times) {
+        state["frame_ms"] = editor.times->frameMs;
+        state["refined_ms"] = editor.times->refinedMs;
+    }
+    return state.dump(2) + "\n";
+}
+
+}  // namespace voledit
