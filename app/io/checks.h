@@ -11,6 +11,9 @@
 
 namespace voledit {
 
+/// What deflate can at most make of a byte (its longest match, 258 bytes, costs two bits).
+inline constexpr std::uint64_t kDeflateRatio = 1032;
+
 /// The product; throws Error that names `where` where it does not fit 62 bits.
 std::uint64_t checkProduct(const std::string& where, std::initializer_list<std::uint64_t> factors);
 

@@ -12,8 +12,6 @@ namespace voledit {
 namespace {
 
 constexpr std::size_t kChunk = 4 << 20;
-/// What deflate can at most make of a byte (its longest match, 258 bytes, costs two bits).
-constexpr std::uint64_t kDeflateRatio = 1032;
 
 [[noreturn]] void throwShort(const std::string& name, const std::string& has, const std::string& needs) {
     throw Error(name, "is cut off: it holds " + has + ", its header claims " + needs,
@@ -21,6 +19,7 @@ constexpr std::uint64_t kDeflateRatio = 1032;
 }
 
 void warnLonger(const PartTask& task) {
+    if (task.stored.moreMayFollow) return;
     task.sink.warn(task.part.file.name + ": holds more data than its header claims; the rest was left out");
 }
 

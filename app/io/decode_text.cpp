@@ -77,7 +77,7 @@ void readNumbers(const PartTask& task, const InputFile& file, std::span<T> out) 
                          inQuotes(word) + " is no number of type " + std::string(nameOf(task.stored.type)));
         if (i % (1 << 16) == 0) task.sink.progress(task.from + (task.to - task.from) * double(i) / double(out.size()));
     }
-    if (out.size() == task.values && !words.next().empty())
+    if (!task.stored.moreMayFollow && out.size() == task.values && !words.next().empty())
         task.sink.warn(file.name() + ": holds more numbers than its header claims; the rest was left out");
 }
 

@@ -1,5 +1,6 @@
 #include "app/io/limits.h"
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@ namespace voledit {
 namespace {
 
 volatile pid_t parentProcess = 0;
+std::uint64_t lastLimit = 0;
 
 // The signal also comes when only the thread that started us has ended.
 void onParentDeath(int) {
@@ -44,14 +46,24 @@ void confineProcess(int parent) {
     std::signal(SIGPIPE, SIG_IGN);
     close_range(4, ~0u, 0);
     setLimit(RLIMIT_CORE, 0);
+    mallopt(M_ARENA_MAX, 4);  // each reserves 64 MiB of the address space that `limitMemory` bounds
     setLimit(RLIMIT_NOFILE, kOpenFiles);
 }
 
-void limitMemory([[maybe_unused]] std::uint64_t bytes) {
+void limitMemory(std::uint64_t bytes) {
+    lastLimit = bytes;
 #if !defined(__SANITIZE_ADDRESS__)
-    // Libraries and thread stacks are mapped, not used: they do not count.
+    // What is mapped already, libraries above all, is mostly not used: it does not count.
     setLimit(RLIMIT_AS, rlim_t(addressSpaceInUse() + bytes));
 #endif
+}
+
+MemoryLimitLifted::MemoryLimitLifted() {
+    setLimit(RLIMIT_AS, RLIM_INFINITY);
+}
+
+MemoryLimitLifted::~MemoryLimitLifted() {
+    limitMemory(lastLimit);
 }
 
 }  // namespace voledit

@@ -12,6 +12,15 @@ void confineProcess(int parent);
 /// reserves terabytes.
 void limitMemory(std::uint64_t bytes);
 
+/// While it lives there is no limit; afterwards the last one holds again, counted from what is in use then.
+class MemoryLimitLifted {
+public:
+    MemoryLimitLifted();
+    ~MemoryLimitLifted();
+    MemoryLimitLifted(const MemoryLimitLifted&) = delete;
+    MemoryLimitLifted& operator=(const MemoryLimitLifted&) = delete;
+};
+
 inline constexpr int kOpenFiles = 256;
 
 }  // namespace voledit

@@ -1,10 +1,32 @@
 #include "app/io/read_volume.h"
 
 #include "app/io/detect.h"
+#include "app/io/module_loader.h"
+#include "app/io/modules/dicom.h"
+#include "app/io/modules/pictures.h"
+#include "app/io/modules/vdb.h"
 #include "app/io/readers.h"
-#include "core/base/error.h"
+#include "app/io/stacks.h"
 
 namespace voledit {
+
+namespace {
+
+void readStack(const SliceStack& stack, VolumeSink& sink) {
+    moduleFunction<decltype(voleditReadSlices)>("voledit-io-pictures.so", "voleditReadSlices")(stack, sink);
+}
+
+void readSeries(const DicomFiles& files, VolumeSink& sink) {
+    moduleFunction<decltype(voleditReadDicom)>("voledit-io-dicom.so", "voleditReadDicom")(files, sink);
+}
+
+/// A DICOM series where there is one, else slices.
+void readFolder(const Source& source, const std::optional<Vec3>& spacing, VolumeSink& sink) {
+    if (const DicomFiles series = dicomFilesIn(source); !series.files.empty()) return readSeries(series, sink);
+    readStack(stackInFolder(source, spacing, sink), sink);
+}
+
+}  // namespace
 
 void readAnyVolume(const IoRequest& request, VolumeSink& sink) {
     const Source source{request.path, request.shownPath};
@@ -18,8 +40,19 @@ void readAnyVolume(const IoRequest& request, VolumeSink& sink) {
             return load(source, parseNifti(source, format == Format::NiftiGz, sink), sink);
         case Format::MetaImage:
             return load(source, parseMetaImage(source, sink), sink);
-        default:
-            throw Error(source.name, "its format is not read by this build", "convert it to NRRD");
+        case Format::Vtk:
+            return load(source, parseVtk(source), sink);
+        case Format::Vdb:
+            return moduleFunction<decltype(voleditReadVdb)>("voledit-io-vdb.so", "voleditReadVdb")(source, sink);
+        case Format::Dicom:
+            return readSeries(seriesOfFile(source), sink);
+        case Format::Tiff:
+        case Format::Png:
+            return readStack(stackOfFile(source, format, request.spacing, sink), sink);
+        case Format::Folder:
+            return readFolder(source, request.spacing, sink);
+        case Format::Pattern:
+            return readStack(stackOfPattern(source, request.spacing, sink), sink);
     }
 }
 

@@ -17,7 +17,7 @@ StoredVolume parseNifti(const Source& source, bool compressed, VolumeSink& sink)
 StoredVolume parseMetaImage(const Source& source, VolumeSink& sink);
 
 /// Structured points only.
-StoredVolume parseVtk(const Source& source, VolumeSink& sink);
+StoredVolume parseVtk(const Source& source);
 
 StoredVolume parseRaw(const Source& source, const RawFormat& format);
 

@@ -1,11 +1,18 @@
 #include "app/io/session.h"
 
 #include <chrono>
+#include <cstring>
+#include <mutex>
 #include <new>
 
 #include "app/io/checks.h"
+#include "app/io/header_text.h"
 #include "app/io/limits.h"
+#include "app/io/module_loader.h"
+#include "app/io/modules/pictures.h"
 #include "app/io/read_volume.h"
+#include "app/io/stored_volume.h"
+#include "app/io/writers.h"
 #include "core/base/error.h"
 #include "core/fields/statistics.h"
 #include "core/io/memory_file.h"
@@ -22,7 +29,10 @@ class ProgressReporter {
 public:
     explicit ProgressReporter(int client) : client_(client) {}
 
+    /// From any thread; one that finds another telling need not.
     void operator()(double fraction) {
+        const std::unique_lock turn(mutex_, std::try_to_lock);
+        if (!turn) return;
         const auto now = Clock::now();
         if (now - last_ < std::chrono::milliseconds(20)) return;
         last_ = now;
@@ -34,6 +44,7 @@ public:
 private:
     int client_;
     Clock::time_point last_;
+    std::mutex mutex_;
 };
 
 /// Receives a volume into a memory file.
@@ -54,11 +65,16 @@ public:
         mapping_ = mapForWriting(file_.get(), bytes);
         return mapping_.bytes;
     }
+    void rescale(double slope, double intercept) override {
+        slope_ = slope;
+        intercept_ = intercept;
+    }
     void progress(double fraction) override { reporter_(0.9 * fraction); }
     void warn(const std::string& message) override { warnings_.push_back(message); }
 
     /// The reply and the sealed file.
     std::pair<IoReply, FileDescriptor> finish() {
+        if (slope_ != 1 || intercept_ != 0) applyRescale();
         IoReply reply;
         reply.kind = IoReply::Kind::Volume;
         reply.grid = header_.grid;
@@ -74,29 +90,102 @@ public:
     }
 
 private:
+    void applyRescale() {
+        StoredVolume stored;
+        stored.type = StoredType(header_.type);
+        std::array<std::uint64_t, 3> size;
+        for (int a = 0; a < 3; ++a) size[std::size_t(a)] = std::uint64_t(header_.grid.size[a]);
+        stored.setInterleaved(size, std::uint64_t(header_.grid.channels), 1);
+        stored.slope = slope_;
+        stored.intercept = intercept_;
+        const FileDescriptor file = std::move(file_);
+        const MappedBytes values = std::move(mapping_);
+        header_.type = loadedType(stored, values.bytes);
+        convert(stored, values.bytes, header_.type, allocate("the rescaled volume", VolumeHeader(header_)));
+    }
+
     ProgressReporter& reporter_;
     std::uint64_t limit_;
     VolumeHeader header_;
     FileDescriptor file_;
     MappedBytes mapping_;
     std::vector<std::string> warnings_;
+    double slope_ = 1, intercept_ = 0;
 };
 
-std::pair<IoReply, FileDescriptor> answer(const IoRequest& request, const FileDescriptor&, int client) {
-    ProgressReporter reporter(client);
+using Answer = std::pair<IoReply, FileDescriptor>;
+
+Answer readVolume(const IoRequest& request, ProgressReporter& reporter) {
     MemorySink sink(reporter, request.memoryLimit);
     readAnyVolume(request, sink);
     return sink.finish();
 }
 
-std::pair<IoReply, FileDescriptor> failure(const std::string& message) {
+Answer writeVolume(const IoRequest& request, const FileDescriptor& file, ProgressReporter& reporter) {
+    const std::size_t bytes = request.grid.valueCount() * byteSize(request.type);
+    const auto [voxels, owner] = mapSealed(file.get(), bytes);
+    VolumeOutput output{request.grid, request.type, voxels, {request.path, request.shownPath}, [&](double fraction) {
+                            reporter(fraction);
+                        }};
+    IoReply reply;
+    reply.kind = IoReply::Kind::Written;
+    reply.notes = writeAnyVolume(output);
+    return {std::move(reply), FileDescriptor()};
+}
+
+Answer readPicture(const IoRequest& request) {
+    const Source source{request.path, request.shownPath};
+    if (InputFile(source).size() == 0) throw Error(source.name, "is empty", "copy or download the file anew");
+    Picture picture;
+    moduleFunction<decltype(voleditReadPicture)>("voledit-io-pictures.so", "voleditReadPicture")(source, picture);
+    const auto pixels = std::as_bytes(std::span(picture.pixels));
+    FileDescriptor file = makeMemoryFile(pixels.size());
+    std::memcpy(mapForWriting(file.get(), pixels.size()).bytes.data(), pixels.data(), pixels.size());
+    seal(file.get());
+    IoReply reply;
+    reply.kind = IoReply::Kind::Picture;
+    reply.pictureSize = picture.size;
+    return {std::move(reply), std::move(file)};
+}
+
+Answer writePicture(const IoRequest& request, const FileDescriptor& file) {
+    Picture picture(request.pictureSize);
+    const auto [pixels, owner] = mapSealed(file.get(), picture.pixels.size() * sizeof(Vec4f));
+    std::memcpy(picture.pixels.data(), pixels.data(), pixels.size());
+    Source target{request.path, request.shownPath};
+    const std::string ending = lowered(target.path.extension().string());
+    if (ending != ".png" && ending != ".exr")
+        throw Error(target.name, "its ending names no picture format that voledit writes", "end it in .png or .exr");
+    moduleFunction<decltype(voleditWritePicture)>("voledit-io-pictures.so", "voleditWritePicture")(picture, target);
+    IoReply reply;
+    reply.kind = IoReply::Kind::Written;
+    reply.notes = {target.path.filename().string()};
+    return {std::move(reply), FileDescriptor()};
+}
+
+Answer answer(const IoRequest& request, const FileDescriptor& file, int client) {
+    ProgressReporter reporter(client);
+    switch (request.task) {
+        case IoTask::ReadVolume:
+            return readVolume(request, reporter);
+        case IoTask::WriteVolume:
+            return writeVolume(request, file, reporter);
+        case IoTask::ReadPicture:
+            return readPicture(request);
+        case IoTask::WritePicture:
+            break;
+    }
+    return writePicture(request, file);
+}
+
+Answer failure(const std::string& message) {
     IoReply reply;
     reply.kind = IoReply::Kind::Failed;
     reply.message = message;
     return {std::move(reply), FileDescriptor()};
 }
 
-std::pair<IoReply, FileDescriptor> answerOrFailure(const IoRequest& request, const FileDescriptor& file, int client) {
+Answer answerOrFailure(const IoRequest& request, const FileDescriptor& file, int client) {
     try {
         limitMemory(request.memoryLimit);
         return answer(request, file, client);

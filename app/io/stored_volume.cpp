@@ -114,11 +114,6 @@ VoxelType rescaledType(const StoredVolume& s, std::span<const std::byte> bytes) 
     return VoxelType::Double;
 }
 
-VoxelType loadedType(const StoredVolume& s, std::span<const std::byte> bytes) {
-    if (s.slope != 1 || s.intercept != 0) return rescaledType(s, bytes);
-    return s.type >= StoredType::Int64 ? VoxelType::Double : VoxelType(s.type);
-}
-
 /// out = in, in the volume's order, × slope + intercept.
 template <class In, class Out>
 void gather(const StoredVolume& s, const In* in, Out* out) {
@@ -138,6 +133,13 @@ void gather(const StoredVolume& s, const In* in, Out* out) {
                 });
 }
 
+}  // namespace
+
+VoxelType loadedType(const StoredVolume& s, std::span<const std::byte> bytes) {
+    if (s.slope != 1 || s.intercept != 0) return rescaledType(s, bytes);
+    return s.type >= StoredType::Int64 ? VoxelType::Double : VoxelType(s.type);
+}
+
 void convert(const StoredVolume& s, std::span<const std::byte> in, VoxelType type, std::span<std::byte> out) {
     withStoredType(s.type, [&](auto stored) {
         using In = decltype(stored);
@@ -149,8 +151,6 @@ void convert(const StoredVolume& s, std::span<const std::byte> in, VoxelType typ
         });
     });
 }
-
-}  // namespace
 
 void load(const Source& source, const StoredVolume& stored, VolumeSink& sink) {
     checkDescription(source, stored, sink);

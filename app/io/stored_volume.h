@@ -51,12 +51,21 @@ struct StoredVolume {
     Encoding encoding = Encoding::Raw;
     /// Where the values are: each part holds an equal share of them.
     std::vector<DataPart> parts;
+    /// True where the format itself lets other things follow the values, so that nobody need be warned.
+    bool moreMayFollow = false;
     /// Bytes to leave out at the start of each part, after decoding.
     std::uint64_t skip = 0;
 
     /// Sets size, channels, stride and storedValues of the usual order: channel fastest, then i, j, k, then the rest.
     void setInterleaved(std::array<std::uint64_t, 3> samples, std::uint64_t channelCount, std::uint64_t timeSteps);
 };
+
+/// Type of the voxels that a stored volume becomes: its own, double for 64-bit integers; rescaled, the smallest that
+/// holds all of `values` (in the machine's byte order) × slope + intercept, whole numbers where both are.
+VoxelType loadedType(const StoredVolume& stored, std::span<const std::byte> values);
+
+/// Writes `values` as voxels of `type` to `out`, in the volume's order, rescaled.
+void convert(const StoredVolume& stored, std::span<const std::byte> values, VoxelType type, std::span<std::byte> out);
 
 /// Checks the description against the files (nothing is believed), reads and decodes the values, and converts them: to
 /// the machine's byte order, channels interleaved, slope and intercept applied (to the smallest type that holds the

@@ -26,6 +26,9 @@ public:
     /// Zeroed memory for the header's voxels, i fastest, channels interleaved. Throws Error where they are more than
     /// the memory limit allows; `where` names the file.
     virtual std::span<std::byte> allocate(const std::string& where, const VolumeHeader& header) = 0;
+    /// Says that the values in that memory are to become value × slope + intercept (in the smallest type that holds
+    /// them), once they are all there.
+    virtual void rescale(double slope, double intercept) = 0;
     /// Fraction of the reading done, 0…1.
     virtual void progress(double fraction) = 0;
     /// Something that was repaired, cut or left out; the user sees it.

@@ -87,6 +87,7 @@ FileDescriptor memoryFileOf(std::span<const std::byte> bytes, Progress* progress
         if (n < 0 && errno != EINTR) throw Error("no memory for the voxels: " + std::string(std::strerror(errno)));
         if (n > 0) at += std::size_t(n);
     }
+    seal(file.get());
     return file;
 }
 
@@ -234,6 +235,7 @@ void IoClient::writeVolume(const Volume& volume, const fs::path& path, Progress*
 }
 
 void IoClient::writePicture(const Picture& picture, const fs::path& path) {
+    if (picture.pixels.empty()) throw Error(path.string(), "the picture is empty", "draw it first");
     const OutputFolder folder(path);
     IoRequest request = requestFor(IoTask::WritePicture, folder.file(), path);
     request.pictureSize = picture.size;
