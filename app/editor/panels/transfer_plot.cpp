@@ -132,11 +132,13 @@ void TransferPlot::navigate(const Geometry& g, const ValueRange& whole) {
     }
 }
 
-Edit TransferPlot::press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar) {
+void TransferPlot::press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar) {
     const ImGuiIO& io = ImGui::GetIO();
     const Vec2 at{g.valueOf(io.MousePos.x), g.opacityOf(io.MousePos.y)};
     start_.reset();
     grab_ = at;
+    pressedAt_ = {io.MousePos.x, io.MousePos.y};
+    moved_ = false;
     selected_ = under;
     if (io.KeyShift) {
         start_ = committed;
@@ -157,13 +159,21 @@ Edit TransferPlot::press(const Geometry& g, const TransferFunction& committed, c
                          : Handle{Part::Opacity, insertPoint(start_->opacity, at)};
         step_ = inBar ? "Add colour" : "Add opacity point";
         selected_ = dragged_;
+        moved_ = true;
     }
-    return {};
 }
 
 void TransferPlot::drag(const Geometry& g, Result& result) {
     const ImGuiIO& io = ImGui::GetIO();
     const Vec2 at = Vec2(g.valueOf(io.MousePos.x), g.opacityOf(io.MousePos.y)) - grab_;
+    // A click selects; its tremble is no edit.
+    moved_ = moved_ || glm::distance(pressedAt_, Vec2(io.MousePos.x, io.MousePos.y)) > 0.15 * g.em;
+    const bool released = !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (!moved_) {
+        if (released) start_.reset();
+        if (released) dragged_ = {};
+        return;
+    }
     result.step = step_;
     result.function = *start_;
     if (dragged_.part == Part::Opacity) movePoint(result.function.opacity, dragged_.index, at);
@@ -171,7 +181,7 @@ void TransferPlot::drag(const Geometry& g, Result& result) {
     if (dragged_.part == Part::All) result.function = shifted(*start_, at.x);
     result.edit.changed = true;
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-    if (!escape && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (!escape && !released) return;
     result.edit.cancelled = escape;
     result.edit.finished = !escape;
     start_.reset();

@@ -42,7 +42,7 @@ private:
 
     Handle handleAt(const Geometry& g, const TransferFunction& shown, const Vec2& mouse) const;
     void navigate(const Geometry& g, const ValueRange& whole);
-    Edit press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar);
+    void press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar);
     void drag(const Geometry& g, Result& result);
     bool removeHandle(Handle handle, Result& result);
     void drawHistogram(const Geometry& g, const VolumeStatistics& statistics) const;
@@ -56,6 +56,8 @@ private:
     Handle selected_, dragged_;
     std::optional<TransferFunction> start_;  // the tables that the drag began with
     Vec2 grab_{0};                           // of a drag: value and opacity under the mouse − the handle's
+    Vec2 pressedAt_{0};                      // mouse, screen pixels
+    bool moved_ = false;                     // since then
     std::string step_;
 };
 

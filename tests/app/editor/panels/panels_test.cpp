@@ -1,0 +1,94 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/editor/panel.h"
+#include "app/editor/panels/history_panel.h"
+#include "app/editor/panels/render_panel.h"
+#include "app/editor/panels/scene_panel.h"
+#include "tests/app/editor/editor_rig.h"
+#include "tests/app/editor/panel_harness.h"
+
+namespace voledit {
+namespace {
+
+using testing::ElementsAre;
+
+class PanelsTest : public testing::Test {
+protected:
+    PanelsTest() {
+        test::openIn(workspace, test::smallScene(true));
+        addToolActions(workspace.actions, workspace, tools);
+    }
+    Document& document() { return workspace.document; }
+
+    Workspace workspace;
+    ViewportTools tools;
+};
+
+TEST_F(PanelsTest, ScenePanelSelectsSwitchesAndRemovesLattices) {
+    document() = Document([] {
+        Scene scene = test::smallScene(true);
+        addLattice(scene, "second", FfdTransfer{}, frameOf(Box3{Vec3(-40), Vec3(40)}));
+        return scene;
+    }());
+    test::PanelHarness ui{[&] { drawScenePanel(workspace); }};
+    EXPECT_TRUE(ui.has("small"));
+    ui.click("lattice");
+    EXPECT_EQ(workspace.selection.lattice, "lattice");
+    ui.click("Show second");
+    EXPECT_FALSE(findTransfer(document().scene(), "second")->enabled);
+    ui.click("Show second");
+    EXPECT_TRUE(findTransfer(document().scene(), "second")->enabled);
+    ui.click("Remove lattice");
+    EXPECT_THAT(latticeNames(document().scene()), ElementsAre("second"));
+    EXPECT_TRUE(workspace.selection.empty());
+    EXPECT_THAT(document().undoNames(), ElementsAre("Disable lattice", "Enable lattice", "Remove lattice"));
+    ui.click("Add Lattice");
+    EXPECT_EQ(latticeNames(document().scene()).size(), 2u);
+}
+
+TEST_F(PanelsTest, RenderPanelEditsTheSettings) {
+    test::PanelHarness ui{[&] { drawRenderPanel(workspace); }};
+    ui.click("Renderer/Rays");
+    EXPECT_EQ(workspace.renderer, RendererChoice::Rays);
+    EXPECT_TRUE(document().undoNames().empty());  // not part of the scene
+    ui.drag("Ambient", {40, 0});
+    EXPECT_GT(document().scene().render.ambient, 0.3);
+    ui.click("Light/Fixed");
+    EXPECT_TRUE(document().scene().render.light.has_value());
+    ui.frame();
+    ui.enter("Direction X", "3");
+    EXPECT_EQ(document().scene().render.light->x, 3);
+    ui.click("Shading");
+    EXPECT_FALSE(document().scene().render.shading);
+    ui.frame();
+    EXPECT_FALSE(ui.has("Ambient"));
+    EXPECT_THAT(document().undoNames(),
+                ElementsAre("Change ambient light", "Change light", "Change light", "Change shading"));
+}
+
+TEST_F(PanelsTest, HistoryPanelGoesBackAndForth) {
+    for (const char* name : {"one", "two", "three"})
+        document().apply(name, [&](Scene& s) { moveControlPoints(s, "lattice", {0}, {1, 0, 0}); });
+    test::PanelHarness ui{[&] { drawHistoryPanel(workspace); }};
+    ui.click("Step 1");
+    EXPECT_THAT(document().undoNames(), ElementsAre("one"));
+    ui.click("Step 3");
+    EXPECT_THAT(document().undoNames(), ElementsAre("one", "two", "three"));
+    ui.click("Step 0");
+    EXPECT_TRUE(document().undoNames().empty());
+}
+
+TEST_F(PanelsTest, EveryPanelDrawsWithAndWithoutAScene) {
+    const std::vector<Panel> panels = makePanels();
+    EXPECT_GE(panels.size(), 5u);
+    Workspace closed;
+    for (Workspace* shown : {&workspace, &closed})
+        for (const Panel& panel : panels) {
+            if (panel.shown && !panel.shown(*shown)) continue;
+            EXPECT_NO_THROW(test::PanelHarness([&] { panel.draw(*shown); })) << panel.title;
+        }
+}
+
+}  // namespace
+}  // namespace voledit
