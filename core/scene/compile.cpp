@@ -56,7 +56,8 @@ struct CompiledScene::Cache {
     // Keys are addresses of what the entry's own term keeps alive.
     std::map<std::pair<const Volume*, int>, std::vector<VolumeEntry>> volumes;
     std::unordered_multimap<std::size_t, TransferEntry> transfers;
-    std::map<std::tuple<const SpatialTransferFunction*, const Term*, Combine, std::string>, TermPtr> terms;
+    std::map<std::tuple<const SpatialTransferFunction*, const Term*, Combine, std::string, TransferRole>, TermPtr>
+        terms;
 };
 
 namespace {
@@ -92,12 +93,14 @@ public:
         return std::visit([this](const auto& kind) { return compiled(kind); }, object.kind);
     }
 
-    /// `of` transferred by one entry of a `by` list.
-    TermPtr applied(const Transfer& by, const TermPtr& of, Combine combine) {
+    /// `of` transferred by entry `n` of a `by` list.
+    TermPtr applied(const TransferObject& object, std::size_t n, const TermPtr& of) {
+        const Transfer& by = *object.by[n];
         const auto [transfer, name] = resolved(by);
         const Frame frame = frameFor(*transfer, by, of);
-        if (!transfer->enabled || transfer->amount == 0) return of;
-        return transferTerm(transferMap(*transfer, frame), of, combine, name);
+        const bool identity = !transfer->enabled || transfer->amount == 0;
+        const TransferRole role = n + 1 == object.by.size() ? TransferRole::Outermost : TransferRole::SameList;
+        return transferTerm(identity ? identityMap() : transferMap(*transfer, frame), {of, object.combine, name, role});
     }
 
     /// Frames that left-out ones of `scene.transfers` took, by name.
@@ -149,12 +152,12 @@ private:
         const TermPtr of = object(*place.of);
         Transfer move;
         move.kind = AffineTransfer{place.placement};
-        return transferTerm(transferMap(move, Frame{}), of, Combine::Union, "");
+        return transferTerm(transferMap(move, Frame{}), {of, Combine::Union, "", TransferRole::Place});
     }
 
     TermPtr compiled(const TransferObject& object) {
         TermPtr term = this->object(*object.of);
-        for (const auto& by : object.by) term = applied(*by, term, object.combine);
+        for (std::size_t n = 0; n < object.by.size(); ++n) term = applied(object, n, term);
         return term;
     }
 
@@ -187,6 +190,12 @@ private:
         return firstFrames_.try_emplace(*key, frameOf(of->bounds)).first->second;
     }
 
+    TransferPtr identityMap() {
+        Transfer identity;
+        identity.kind = AffineTransfer{};
+        return transferMap(identity, Frame{});
+    }
+
     TransferPtr transferMap(const Transfer& transfer, const Frame& frame) {
         const TransferInputs inputs(transfer, frame);
         const std::size_t hash = inputs.hash();
@@ -203,12 +212,19 @@ private:
         return found == end ? nullptr : found->second.map;
     }
 
-    TermPtr transferTerm(const TransferPtr& by, const TermPtr& of, Combine combine, const std::string& name) {
-        const auto key = std::tuple(by.get(), of.get(), combine, name);
+    struct TermInputs {
+        TermPtr of;
+        Combine combine;
+        std::string name;
+        TransferRole role;
+    };
+
+    TermPtr transferTerm(const TransferPtr& by, const TermInputs& in) {
+        const auto key = std::tuple(by.get(), in.of.get(), in.combine, in.name, in.role);
         auto& term = next_->terms[key];
         if (!term && previous_)
             if (const auto old = previous_->terms.find(key); old != previous_->terms.end()) term = old->second;
-        if (!term) term = makeTransferTerm(by, of, combine, name);
+        if (!term) term = makeTransferTerm(by, in.of, in.combine, in.name, in.role);
         return term;
     }
 
@@ -245,9 +261,10 @@ void writeFrames(Scene& scene, ObjectRef& ref, Compiler& compiler, std::set<std:
         auto& object = std::get<TransferObject>(ref.edit().kind);
         writeFrames(scene, object.of, compiler, done);
         TermPtr term = compiler.object(*object.of);
-        for (auto& by : object.by) {
+        for (std::size_t n = 0; n < object.by.size(); ++n) {
             const TermPtr before = term;
-            term = compiler.applied(*by, before, object.combine);
+            term = compiler.applied(object, n, before);
+            auto& by = object.by[n];
             if (std::holds_alternative<FfdTransfer>(by->kind) && !by->frame) by.edit().frame = frameOf(before->bounds);
         }
     }

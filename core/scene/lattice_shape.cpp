@@ -7,6 +7,7 @@
 #include "core/scene/edits.h"
 #include "core/scene/limits.h"
 #include "core/scene/transfers_in_scene.h"
+#include "core/stf/lattice_basis.h"
 
 namespace voledit {
 
@@ -44,25 +45,12 @@ Matrix solved(Matrix a, Matrix b) {
     return b;
 }
 
-constexpr int kAcross = 4;  // points on the axes that do not matter below: the fewest that both bases allow
-
-std::vector<double> grevillePoints(LatticeBasis basis, int count) {
-    const auto rest = restControlPoints(basis, {count, kAcross, kAcross}, Frame{});
-    std::vector<double> at;
-    for (int i = 0; i < count; ++i) at.push_back(rest[std::size_t(i)].x);
-    return at;
-}
-
-/// B_j(at[i]) of `count` basis functions. They add up to 1 on each axis, so a lattice that is 1 at index j of its first
-/// axis and 0 elsewhere evaluates to B_j alone.
+/// B_j(at[i]) of `count` basis functions.
 Matrix basisAt(LatticeBasis basis, int count, const std::vector<double>& at) {
     Matrix values(int(at.size()), count);
-    Lattice lattice{basis, {count, kAcross, kAcross}, Frame{}, {}};
-    for (int j = 0; j < count; ++j) {
-        lattice.control.assign(std::size_t(count) * kAcross * kAcross, Vec3(0));
-        for (std::size_t k = std::size_t(j); k < lattice.control.size(); k += std::size_t(count))
-            lattice.control[k] = Vec3(1);
-        for (int i = 0; i < values.rows; ++i) values.at(i, j) = evaluate(lattice, {at[std::size_t(i)], 0.5, 0.5}).x;
+    for (int i = 0; i < values.rows; ++i) {
+        const BasisValues b = basisValues(basis, count, at[std::size_t(i)]);
+        for (std::size_t n = 0; n < b.value.size(); ++n) values.at(i, int(b.first + n)) = b.value[n];
     }
     return values;
 }
@@ -71,7 +59,7 @@ Matrix basisAt(LatticeBasis basis, int count, const std::vector<double>& at) {
 /// [Farin 2002, §6.1, applied degree by degree], else interpolation at the new basis' Greville points.
 Matrix conversion(LatticeBasis from, int oldCount, LatticeBasis to, int newCount) {
     if (from != LatticeBasis::Bezier || to != LatticeBasis::Bezier || newCount < oldCount) {
-        const auto at = grevillePoints(to, newCount);
+        const auto at = restParameters(to, newCount);
         return solved(basisAt(to, newCount, at), basisAt(from, oldCount, at));
     }
     Matrix matrix(oldCount, oldCount);

@@ -29,16 +29,11 @@ ScaledCells::ScaledCells(const SpatialTransferFunction& map, double amount)
     : cells_(scaledCells(*map.cells(), amount)), outside_(map.outside()) {}
 
 void ScaledCells::map(std::span<const Vec3> p, std::span<Vec3> q) const {
-    assert(p.size() == q.size());
-    parallelFor(p.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-        CellLocation at;
-        for (std::size_t i = begin; i < end; ++i) {
-            if (isDefined(p[i]) && cells_.locate(p[i], at))
-                q[i] = cells_.sourceAt(at);
-            else
-                q[i] = outside_ == Outside::Keep ? p[i] : kUndefined;
-        }
-    });
+    if (outside_ == Outside::Hide) return cells_.map(p, q);
+    const std::vector<Vec3> before(p.begin(), p.end());  // q may alias p
+    cells_.map(p, q);
+    for (std::size_t i = 0; i < q.size(); ++i)
+        if (!isDefined(q[i]) && isDefined(before[i])) q[i] = before[i];
 }
 
 void ScaledCells::jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const {
