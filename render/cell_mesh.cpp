@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "core/base/parallel.h"
 #include "render/cell_cut.h"
@@ -18,9 +19,13 @@ constexpr int kBrickSide = 16;
 /// Voxels around a box that Visibility answers for by itself, less a little for the GPU's rounding.
 constexpr double kAnswered = 0.98;
 
-/// Whether anything within `reach` (world units) of `box` can be seen, d index / d world having these rows' lengths.
-bool canBeSeen(Box3 box, const Vec3& indexPerWorld, double reach, const Box3& domain, const Visibility& visibility) {
-    const Vec3 more = glm::max(indexPerWorld * reach - kAnswered, Vec3(0));
+/// Whether anything that slabs in `box` reach can be seen, d index / d world having these rows' lengths. Slabs reach
+/// half their extent along the ray to either side, at the domain's faces up to the whole.
+bool canBeSeen(Box3 box, const Vec3& indexPerWorld, double slab, const Box3& domain, const Visibility& visibility) {
+    const Vec3 whole = indexPerWorld * slab;
+    const bool inside =
+        glm::all(glm::greaterThan(box.min - whole, domain.min)) && glm::all(glm::lessThan(box.max + whole, domain.max));
+    const Vec3 more = glm::max(whole * (inside ? 0.5 : 1.0) - kAnswered, Vec3(0));
     box = {box.min - more, box.max + more};
     for (int a = 0; a < 3; ++a)
         if (box.max[a] < domain.min[a] - 0.01 || box.min[a] > domain.max[a] + 0.01) return false;
@@ -80,7 +85,7 @@ void numberEdges(CellMesh& mesh, std::span<const std::array<int, 2>> edgesOfCell
 
 }  // namespace
 
-CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double reach) {
+CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double slab) {
     CellMesh mesh;
     mesh.kind = CellMesh::Kind::Brick;
     const Box3 domain = grid.indexDomain();
@@ -101,7 +106,7 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
         for (int j = 0; j < count.y; ++j)
             for (int i = 0; i < count.x; ++i) {
                 const Box3 box{indexAt({i, j, k}), indexAt({i + 1, j + 1, k + 1})};
-                if (!canBeSeen(box, indexPerWorld, reach, domain, visibility)) {
+                if (!canBeSeen(box, indexPerWorld, slab, domain, visibility)) {
                     ++mesh.culled;
                     continue;
                 }
@@ -113,7 +118,7 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
 }
 
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
-                         const VolumeGrid& grid, const Visibility& visibility, double reach) {
+                         const VolumeGrid& grid, const Visibility& visibility, double slab) {
     CellMesh mesh;
     mesh.kind = CellMesh::Kind::Tetrahedron;
     const std::size_t vertices = cells.deformed().size();
@@ -139,7 +144,7 @@ CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed
             box = join(box, Vec3(mesh.source[v].index));
             steepest = glm::max(steepest, indexPerWorld[v]);
         }
-        if (canBeSeen(box, steepest, reach, domain, visibility))
+        if (canBeSeen(box, steepest, slab, domain, visibility))
             mesh.cellVertices.insert(mesh.cellVertices.end(), tetrahedra[t].begin(), tetrahedra[t].end());
         else
             ++mesh.culled;

@@ -35,13 +35,13 @@ struct CellMesh {
     std::size_t cellCount() const { return cellVertices.size() / std::size_t(verticesPerCell()); }
 };
 
-/// Bricks of kBrickSide³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
-/// @param reach  world units along a ray that a slab extends from its slice; what is seen there counts too
-CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double reach);
+/// Bricks of 16³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
+/// @param slab  extent of a slab along a ray at most, world units; what is seen there counts too
+CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double slab);
 
 /// Tetrahedra of `cells`, in their order, without degenerate ones.
 /// @param worldFromDeformed,indexFromSource  affine maps outside and inside the cells
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
-                         const VolumeGrid& grid, const Visibility& visibility, double reach);
+                         const VolumeGrid& grid, const Visibility& visibility, double slab);
 
 }  // namespace voledit

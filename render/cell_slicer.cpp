@@ -40,7 +40,13 @@ void CellSlicer::place(const View& view) {
 }
 
 void CellSlicer::cover(const View& view) {
-    nearest_ = kInfinity;
+    start_ = nearest_ = kInfinity;
+    double end = -kInfinity;
+    for (const Vec3& p : position_) {
+        start_ = std::min(start_, p.z);
+        end = std::max(end, p.z);
+    }
+    middle_ = (start_ + end) / 2;
     farthest_ = -kInfinity;
     Vec2 low(1), high(-1);
     const std::size_t stride = std::size_t(mesh_.verticesPerCell());

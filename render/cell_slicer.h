@@ -30,6 +30,11 @@ public:
     /// `mesh` must outlive it. Cells outside the view are left out.
     CellSlicer(const CellMesh& mesh, const View& view);
 
+    /// Depth of the nearest vertex of the whole mesh, those of cells that were left out too: where slices start
+    /// counting, so that they do not move with what is visible. Negative behind the eye.
+    double start() const { return start_; }
+    /// Depth halfway to the farthest such vertex: numbers relative to it are small.
+    double middle() const { return middle_; }
     /// Depths of the nearest (≥ 0) and farthest point of the cells in view; nearest ≥ farthest if there are none.
     double nearest() const { return nearest_; }
     double farthest() const { return farthest_; }
@@ -54,7 +59,7 @@ private:
     const CellMesh& mesh_;
     std::vector<Vec3> position_;             // view space (view.h)
     std::vector<float> cellNear_, cellFar_;  // depths, rounded outwards; near > far: out of view
-    double nearest_ = 0, farthest_ = 0;
+    double start_ = 0, middle_ = 0, nearest_ = 0, farthest_ = 0;
     std::array<int, 4> window_{};
     std::size_t cellsInView_ = 0;
 };

@@ -34,6 +34,7 @@ struct SliceRenderer::State {
     explicit State(const SliceOptions& o) : options(o), shaders(shaderFolder()) {}
 
     void describeVertices();
+    void layOutSlices();
     void setUniforms(const CompiledScene& scene);
     void drawBatch(const SliceBatch& batch);
     void drawNext(int batches);
@@ -52,8 +53,8 @@ struct SliceRenderer::State {
     std::unique_ptr<CellSlicer> slicer;
     SlicePlan plan;
     View view;
-    double firstDepth = 0, slabDepth = 1, referenceDepth = 0;
-    int sliceCount = 0, batchCount = 0, batchesDone = 0;
+    double slabDepth = 1, referenceDepth = 0;
+    int firstBatch = 0, endBatch = 0, nextBatch = 0;  // slices are counted from slicer->start()
     int batchesAtOnce = 1;
     Vec3f background{0};
 };
@@ -66,6 +67,18 @@ void SliceRenderer::State::describeVertices() {
         for (GLuint location = 0; location < (mapped ? 5U : 1U); ++location)
             floatAttribute(*array, location, 3, location * 3 * sizeof(float));
     }
+}
+
+void SliceRenderer::State::layOutSlices() {
+    const double start = slicer->start(), nearest = slicer->nearest(), farthest = slicer->farthest();
+    firstBatch = endBatch = nextBatch = 0;
+    statistics = {0, 0, resources.mesh().cellCount(), resources.mesh().culled};
+    if (!(nearest < farthest)) return;
+    const double first = std::floor((nearest - start) / slabDepth), end = std::ceil((farthest - start) / slabDepth);
+    firstBatch = nextBatch = int(first) / kBatchSlices;
+    endBatch = (int(end) + kBatchSlices - 1) / kBatchSlices;
+    statistics.slices = int(end - first);
+    referenceDepth = slicer->middle();
 }
 
 void SliceRenderer::State::setUniforms(const CompiledScene& scene) {
@@ -115,13 +128,13 @@ void SliceRenderer::State::drawBatch(const SliceBatch& batch) {
 }
 
 void SliceRenderer::State::drawNext(int count) {
-    count = std::min(count, batchCount - batchesDone);
+    count = std::min(count, endBatch - nextBatch);
     batches.resize(std::max(batches.size(), std::size_t(count)));
+    const double firstDepth = slicer->start() + slabDepth / 2;
     parallelFor(std::size_t(count), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) {
-            const int first = (batchesDone + int(n)) * kBatchSlices;
-            slicer->cut(firstDepth + slabDepth * first, slabDepth, std::min(kBatchSlices, sliceCount - first),
-                        referenceDepth, batches[n]);
+            const int first = (nextBatch + int(n)) * kBatchSlices;
+            slicer->cut(firstDepth + slabDepth * first, slabDepth, kBatchSlices, referenceDepth, batches[n]);
         }
     });
     for (int n = 0; n < count; ++n) {
@@ -129,8 +142,8 @@ void SliceRenderer::State::drawNext(int count) {
         resources.bind();
         target.bind();
         drawBatch(batches[std::size_t(n)]);
-        ++batchesDone;
-        if (options.mask && batchesDone % kBatchesPerMask == 0 && batchesDone < batchCount) target.mask(shaders);
+        ++nextBatch;
+        if (options.mask && nextBatch % kBatchesPerMask == 0 && nextBatch < endBatch) target.mask(shaders);
     }
 }
 
@@ -144,24 +157,21 @@ void SliceRenderer::begin(const CompiledScene& scene, Index2 size, double stepSc
     State& s = *state_;
     const GlStateGuard guard;
     s.slicer.reset();
-    s.batchCount = s.batchesDone = s.sliceCount = 0;
+    s.firstBatch = s.nextBatch = s.endBatch = 0;
     s.plan = planSlices(scene.root);
     s.background = scene.render.background;
     s.view = makeView(scene.camera, size);
     s.slabDepth = scene.stepLength() * stepScale * s.options.segments;
-    s.resources.prepare(s.plan, s.options.cull, s.slabDepth / 2 * s.view.longestRay());
+    s.resources.prepare(s.plan, s.options.cull, s.slabDepth * s.view.longestRay());
     s.target.start(size);
     s.slicer = std::make_unique<CellSlicer>(s.resources.mesh(), s.view);
-    const double extent = s.slicer->farthest() - s.slicer->nearest();
-    s.sliceCount = extent > 0 ? int(std::ceil(extent / s.slabDepth)) : 0;
-    s.batchCount = (s.sliceCount + kBatchSlices - 1) / kBatchSlices;
-    s.firstDepth = s.slicer->nearest() + s.slabDepth / 2;
-    s.referenceDepth = s.slicer->nearest() + std::max(extent, 0.0) / 2;
-    s.statistics = {s.sliceCount, 0, s.resources.mesh().cellCount(), s.resources.mesh().culled};
+    s.layOutSlices();
+    const VoxelType type = s.plan.volume->volume->type();
     const TransferFunction& appearance = s.plan.volume->appearance;
     s.program = &s.shaders.get(sliceVariant({.mapped = s.plan.forward != nullptr,
                                              .shaded = scene.render.shading,
                                              .gradientOpacity = !appearance.gradientOpacity.points.empty(),
+                                             .realVoxels = type == VoxelType::Float || type == VoxelType::Double,
                                              .segments = s.options.segments,
                                              .subsamples = s.options.subsamples}));
     s.setUniforms(scene);
@@ -169,14 +179,14 @@ void SliceRenderer::begin(const CompiledScene& scene, Index2 size, double stepSc
 
 bool SliceRenderer::advance(double budgetMs) {
     State& s = *state_;
-    if (s.batchesDone >= s.batchCount) return true;
+    if (s.nextBatch >= s.endBatch) return true;
     const GlStateGuard guard;
     if (budgetMs <= 0) {
-        while (s.batchesDone < s.batchCount) s.drawNext(4 * threadCount());
+        while (s.nextBatch < s.endBatch) s.drawNext(4 * threadCount());
         return true;
     }
     const auto start = std::chrono::steady_clock::now();
-    while (s.batchesDone < s.batchCount) {
+    while (s.nextBatch < s.endBatch) {
         const double left = budgetMs - millisecondsSince(start);
         if (left <= 0) return false;
         const auto piece = std::chrono::steady_clock::now();
@@ -191,7 +201,8 @@ bool SliceRenderer::advance(double budgetMs) {
 }
 
 double SliceRenderer::progress() const {
-    return state_->batchCount > 0 ? double(state_->batchesDone) / state_->batchCount : 1;
+    const int all = state_->endBatch - state_->firstBatch;
+    return all > 0 ? double(state_->nextBatch - state_->firstBatch) / all : 1;
 }
 
 unsigned SliceRenderer::texture() const {

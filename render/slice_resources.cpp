@@ -4,14 +4,14 @@
 
 namespace voledit {
 
-void SliceResources::prepare(const SlicePlan& plan, bool cull, double reach) {
+void SliceResources::prepare(const SlicePlan& plan, bool cull, double slab) {
     prepareVolume(*plan.volume);
     prepareTable(plan.volume->appearance);
     if (!visibility_) {
         visibility_.emplace(volume_->ranges, table_->table);
         mesh_.reset();
     }
-    prepareMesh(plan, cull, reach);
+    prepareMesh(plan, cull, slab);
 }
 
 void SliceResources::prepareVolume(const VolumeTerm& term) {
@@ -35,20 +35,20 @@ void SliceResources::prepareTable(const TransferFunction& function) {
     table_ = std::move(made);
 }
 
-void SliceResources::prepareMesh(const SlicePlan& plan, bool cull, double reach) {
+void SliceResources::prepareMesh(const SlicePlan& plan, bool cull, double slab) {
     const TransferPtr source = plan.forward ? plan.forward->by : nullptr;
     if (mesh_ && mesh_->mapped == (source != nullptr) && mesh_->source.lock() == source &&
         mesh_->worldFromDeformed == plan.worldFromDeformed && mesh_->indexFromSource == plan.indexFromSource &&
-        mesh_->cull == cull && mesh_->reach == reach)
+        mesh_->cull == cull && mesh_->slab == slab)
         return;
     const Visibility everything;
     const Visibility& visibility = cull ? *visibility_ : everything;
     const VolumeGrid& grid = plan.volume->volume->grid();
-    CellMesh mesh = source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid,
-                                             visibility, reach)
-                           : brickMesh(grid, glm::inverse(plan.indexFromSource), visibility, reach);
+    CellMesh mesh =
+        source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid, visibility, slab)
+               : brickMesh(grid, glm::inverse(plan.indexFromSource), visibility, slab);
     mesh_.emplace(
-        Meshes{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, reach, std::move(mesh)});
+        Meshes{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, slab, std::move(mesh)});
 }
 
 void SliceResources::bind() const {

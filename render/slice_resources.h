@@ -18,8 +18,8 @@ namespace voledit {
 class SliceResources {
 public:
     /// @param cull   false: nothing is left out (for tests)
-    /// @param reach  world units along a ray that a slab extends from its slice
-    void prepare(const SlicePlan& plan, bool cull, double reach);
+    /// @param slab   extent of a slab along a ray at most, world units
+    void prepare(const SlicePlan& plan, bool cull, double slab);
 
     const VolumeTexture& volume() const { return volume_->texture; }
     const TransferTable& table() const { return table_->table; }
@@ -45,13 +45,13 @@ private:
         bool mapped;
         Mat4 worldFromDeformed, indexFromSource;
         bool cull;
-        double reach;
+        double slab;
         CellMesh mesh;
     };
 
     void prepareVolume(const VolumeTerm& term);
     void prepareTable(const TransferFunction& function);
-    void prepareMesh(const SlicePlan& plan, bool cull, double reach);
+    void prepareMesh(const SlicePlan& plan, bool cull, double slab);
 
     std::optional<Volumes> volume_;
     std::optional<Tables> table_;

@@ -7,6 +7,7 @@ ProgramVariant sliceVariant(const SliceVariant& variant) {
     if (variant.mapped) program.defines.push_back("MAPPED");
     if (variant.shaded) program.defines.push_back("SHADED");
     if (variant.gradientOpacity) program.defines.push_back("GRADIENT_OPACITY");
+    if (variant.realVoxels) program.defines.push_back("REAL_VOXELS");
     program.defines.push_back("SEGMENTS=" + std::to_string(variant.segments));
     program.defines.push_back("SUBSAMPLES=" + std::to_string(variant.subsamples));
     return program;
@@ -14,11 +15,11 @@ ProgramVariant sliceVariant(const SliceVariant& variant) {
 
 std::vector<ProgramVariant> allPrograms() {
     std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}, {"overlay.vert", "overlay.frag", {}}};
-    for (const bool mapped : {false, true})
-        for (const bool shaded : {false, true})
-            for (const bool gradientOpacity : {false, true})
-                programs.push_back(
-                    sliceVariant({.mapped = mapped, .shaded = shaded, .gradientOpacity = gradientOpacity}));
+    for (int bits = 0; bits < 16; ++bits)
+        programs.push_back(sliceVariant({.mapped = (bits & 1) != 0,
+                                         .shaded = (bits & 2) != 0,
+                                         .gradientOpacity = (bits & 4) != 0,
+                                         .realVoxels = (bits & 8) != 0}));
     return programs;
 }
 

@@ -11,6 +11,7 @@ struct SliceVariant {
     bool mapped = false;  // polygons carry source coordinates and Jacobians
     bool shaded = true;
     bool gradientOpacity = false;
+    bool realVoxels = false;           // voxels may be NaN
     int segments = 2, subsamples = 4;  // SliceOptions
 };
 

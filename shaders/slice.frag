@@ -3,7 +3,9 @@
 //   variants  MAPPED            index coordinates and Jacobian come from the polygon; else from one matrix
 //             SHADED            Blinn-Phong by the gradient
 //             GRADIENT_OPACITY  a factor on opacity over the gradient's magnitude
+//             REAL_VOXELS       the volume holds floats, which may be NaN: nothing is seen there
 //             SEGMENTS=n        parts of the slab that are classified one by one
+//             SUBSAMPLES=n      points of each that are classified
 //   out       color             premultiplied by alpha, to be composited under what is there
 #include "common/volume.glsl"
 #include "common/classification.glsl"

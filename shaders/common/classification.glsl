@@ -7,9 +7,15 @@ uniform float tableOffset;
 uniform float tableSize;
 
 float entryOf(float raw) {
-    // Not a number: an entry that is none, whose thickness is taken as 0 below.
     return clamp(raw * tableScale + tableOffset, 0.0, tableSize - 1.0);
 }
+
+#ifdef REAL_VOXELS
+// By the bits, as compilers may take it for granted that nothing is NaN.
+bool isNumber(float raw) {
+    return (floatBitsToUint(raw) & 0x7f800000u) != 0x7f800000u;
+}
+#endif
 
 vec2 thicknessAt(float entry) {
     return textureLod(thicknessTable, (entry + 0.5) / tableSize, 0.0).rg;

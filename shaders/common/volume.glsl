@@ -9,6 +9,17 @@ bool insideVolume(vec3 index) {
     return all(greaterThanEqual(index, domainMin)) && all(lessThanEqual(index, domainMax));
 }
 
+// Where the line index + t * perDepth, whose index is inside, enters (x, at most 0) and leaves (y, at least 0) the
+// volume's domain.
+vec2 domainCrossings(vec3 index, vec3 perDepth) {
+    vec3 safe = mix(perDepth, vec3(1e-20), lessThan(abs(perDepth), vec3(1e-20)));
+    vec3 toMin = (domainMin - index) / safe;
+    vec3 toMax = (domainMax - index) / safe;
+    vec3 enter = min(toMin, toMax);
+    vec3 leave = max(toMin, toMax);
+    return vec2(min(max(max(enter.x, enter.y), enter.z), 0.0), max(min(min(leave.x, leave.y), leave.z), 0.0));
+}
+
 // Trilinear, in the texture's own unit.
 float rawAt(vec3 index) {
     return textureLod(volume, (index + 0.5) / (volumeLast + 1.0), 0.0).r;
