@@ -3,6 +3,8 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
+#include <cmath>
+
 #include "app/io/checks.h"
 #include "core/base/error.h"
 #include "core/fields/voxel_type.h"
@@ -94,12 +96,21 @@ std::vector<float> channelOf(const VolumeOutput& volume, int channel) {
     return values;
 }
 
+openvdb::Coord coordOf(Index3 size, std::size_t sample) {
+    const std::size_t nx = std::size_t(size.x), ny = std::size_t(size.y);
+    return {int(sample % nx), int(sample / nx % ny), int(sample / nx / ny)};
+}
+
 openvdb::FloatGrid::Ptr gridOf(const VolumeOutput& volume, int channel) {
     const Index3 n = volume.grid.size;
     const openvdb::CoordBBox box(openvdb::Coord(0), openvdb::Coord(n.x - 1, n.y - 1, n.z - 1));
     std::vector<float> values = channelOf(volume, channel);
     const auto grid = openvdb::FloatGrid::create(0.0f);
     openvdb::tools::copyFromDense(Dense(box, values.data()), *grid, 0.0f);
+    // copyFromDense takes what is not a number for background.
+    auto accessor = grid->getAccessor();
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (std::isnan(values[i])) accessor.setValueOn(coordOf(n, i), values[i]);
     grid->tree().setValueOn(box.min());
     grid->tree().setValueOn(box.max());
     openvdb::Mat4R m = openvdb::Mat4R::identity();
