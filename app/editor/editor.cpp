@@ -53,6 +53,13 @@ std::string toolKeyName(Key key) {
     return sign ? std::string(1, char(key)) : std::string(nameOf(key));
 }
 
+// ImGui closes menus by Escape only where it navigates by keys. Dialogs close themselves.
+void closeMenu() {
+    const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    const ImGuiWindow* top = open.back().Window;
+    if (top && !(top->Flags & ImGuiWindowFlags_Modal)) ImGui::ClosePopupToLevel(open.Size - 1, true);
+}
+
 // Chords that a text field uses itself.
 bool belongsToTextField(const Chord& chord) {
     if (!chord.ctrl) return true;
@@ -126,7 +133,6 @@ void Editor::frame(const FrameInput& input) {
     io.DisplaySize = ImVec2(float(window_.x), float(window_.y));
     io.DeltaTime = float(std::max(input.seconds, 1e-4));
     feedImGui(events);
-    widgets_.newFrame();
     ImGui::NewFrame();
     const auto guarded = [&](auto&& work) {
         try {
@@ -146,6 +152,7 @@ void Editor::frame(const FrameInput& input) {
     if (workspace_.open && workspace_.overlays)
         guarded([&] { tools_.lattice().fillOverlay(toolContext(workspace_), overlay_); });
     ImGui::Render();
+    widgets_.newFrame();
 }
 
 // ---- Input --------------------------------------------------------------------------------------------------------
@@ -208,7 +215,10 @@ void Editor::dispatchKey(Key key) {
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) {
+        if (key == Key::Escape) closeMenu();
+        return;
+    }
     const Chord chord{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
     // A widget that is dragged or typed in has the keyboard: Escape restores it.
     const bool widgetActive = ImGui::IsAnyItemActive() && !tools_.capturing();

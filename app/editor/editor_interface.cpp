@@ -143,7 +143,7 @@ void Editor::drawMenus() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::Begin("##menu", nullptr, kFixed | ImGuiWindowFlags_MenuBar);
-    ImGui::PopStyleVar(4);
+    ImGui::PopStyleVar(3);
     if (ImGui::BeginMenuBar()) {
         ImGui::BeginDisabled(files_.loading());
         const Actions& actions = workspace_.actions;
@@ -175,6 +175,7 @@ void Editor::drawMenus() {
         ImGui::EndDisabled();
         ImGui::EndMenuBar();
     }
+    ImGui::PopStyleVar();
     ImGui::End();
 }
 

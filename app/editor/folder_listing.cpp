@@ -21,9 +21,9 @@ std::string lower(std::string text) {
 }  // namespace
 
 bool isReadable(const fs::path& path) {
-    static constexpr std::array<const char*, 17> kEndings{".voledit", ".nrrd", ".nhdr", ".nii", ".nii.gz", ".mhd",
+    static constexpr std::array<const char*, 16> kEndings{".voledit", ".nrrd", ".nhdr", ".nii", ".nii.gz", ".mhd",
                                                           ".mha",     ".dcm",  ".ima",  ".tif", ".tiff",   ".png",
-                                                          ".vdb",     ".vtk",  ".hdr",  ".img", ".json"};
+                                                          ".vdb",     ".vtk",  ".hdr",  ".img"};
     const std::string name = lower(path.filename().string());
     return std::any_of(kEndings.begin(), kEndings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }

@@ -139,7 +139,8 @@ private:
         switch (event.kind) {
             case Event::Kind::Do:
                 host_.act(event.text, event.argument);
-                if (!host_.closed()) frame();
+                // Windows that appear are laid out in one frame and seen in the next.
+                for (int n = 0; n < 2 && !host_.closed(); ++n) frame();
                 break;
             case Event::Kind::Wait:
                 host_.waitIdle();

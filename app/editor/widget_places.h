@@ -18,10 +18,10 @@ struct WidgetPlace {
     Vec2 center() const { return 0.5 * (min + max); }
 };
 
-/// The widgets of the frame before, by "Panel/Label". One belongs to each ImGui context (io.UserData).
+/// The widgets of the last complete frame, by "Panel/Label". One belongs to each ImGui context (io.UserData).
 class WidgetPlaces {
 public:
-    /// Starts a new frame: what was noted since the last call can be found from now on.
+    /// Ends a frame: what was noted since the last call can be found from now on.
     void newFrame();
     void note(const std::string& path, const WidgetPlace& place) { noted_[path] = place; }
     std::optional<WidgetPlace> find(const std::string& path) const;
