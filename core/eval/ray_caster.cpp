@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/objects/empty_space.h"
 
 namespace voledit {
 
@@ -40,7 +41,8 @@ std::optional<Ray> clipped(const Vec3& origin, const Vec3& direction, const Box3
 
 class RayCaster {
 public:
-    RayCaster(const CompiledScene& scene, Index2 size) : scene_(scene), size_(size), step_(scene.stepLength()) {
+    RayCaster(const CompiledScene& scene, Index2 size)
+        : scene_(scene), space_(emptySpaceOf(*scene.root)), size_(size), step_(scene.stepLength()) {
         assert(step_ > 0 && scene.opacityDistance > 0);
     }
 
@@ -61,19 +63,25 @@ private:
         const double length = ray.far - ray.near;
         const auto steps = std::size_t(std::ceil(length / step_));
         std::size_t block = kFirstBlock;  // small at first: many rays end soon after they meet a surface
-        for (std::size_t start = 0; start < steps && transmittance_ >= kOpaque; start += block) {
-            if (start) block = std::min(2 * block, kLargestBlock);
-            const std::size_t end = std::min(steps, start + block);
-            points_.clear();
-            lengths_.clear();
-            for (std::size_t n = start; n < end; ++n) {
-                // The last step is what is left of the ray, sampled in its own middle.
-                const double from = double(n) * step_, to = std::min(from + step_, length);
-                points_.push_back(ray.origin + (ray.near + 0.5 * (from + to)) * ray.direction);
-                lengths_.push_back(to - from);
+        points_.clear();
+        lengths_.clear();
+        for (std::size_t n = 0; n < steps && transmittance_ >= kOpaque;) {
+            // The last step is what is left of the ray, sampled in its own middle.
+            const double from = double(n) * step_, to = std::min(from + step_, length);
+            const Vec3 p = ray.origin + (ray.near + 0.5 * (from + to)) * ray.direction;
+            if (const double empty = space_.emptyAhead(p, ray.direction); empty > 0) {
+                // Samples keep their places: what is left out would have had opacity 0.
+                n += std::max<std::size_t>(1, std::size_t(std::ceil(std::min(empty / step_, double(steps)))));
+                continue;
             }
+            points_.push_back(p);
+            lengths_.push_back(to - from);
+            ++n;
+            if (points_.size() < block) continue;
             composite();
+            block = std::min(2 * block, kLargestBlock);
         }
+        composite();
     }
 
     void composite() {
@@ -89,9 +97,12 @@ private:
             color_ += transmittance_ * (1 - through) * color;
             transmittance_ *= through;
         }
+        points_.clear();
+        lengths_.clear();
     }
 
     const CompiledScene& scene_;
+    const EmptySpace& space_;
     Index2 size_;
     double step_;
     Vec3 toEye_{0}, toLight_{0};

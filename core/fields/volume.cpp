@@ -5,8 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <mutex>
 
 #include "core/fields/statistics.h"
+#include "core/fields/value_bricks.h"
 #include "core/fields/voxel_type.h"
 
 namespace voledit {
@@ -162,6 +164,12 @@ Frame VolumeGrid::worldFrame() const {
     return frame;
 }
 
+struct Volume::Lazy {
+    explicit Lazy(std::size_t channels) : once(channels), bricks(channels) {}
+    std::vector<std::once_flag> once;
+    std::vector<ValueBricks> bricks;
+};
+
 Volume::Volume(VolumeGrid grid, VoxelType type, std::span<const std::byte> voxels, std::shared_ptr<const void> owner,
                VolumeStatistics statistics)
     : grid_(grid),
@@ -170,6 +178,7 @@ Volume::Volume(VolumeGrid grid, VoxelType type, std::span<const std::byte> voxel
       owner_(std::move(owner)),
       statistics_(std::move(statistics)),
       indexFromWorld_(glm::inverse(grid.worldFromIndex)),
+      lazy_(std::make_shared<Lazy>(std::size_t(grid.channels))),
       rounding_(roundingOf(grid, indexFromWorld_)) {
     assert(grid.size.x > 0 && grid.size.y > 0 && grid.size.z > 0 && grid.channels > 0);
     assert(voxels.size() == grid.valueCount() * byteSize(type));
@@ -192,6 +201,13 @@ template std::shared_ptr<const Volume> Volume::fromValues(const VolumeGrid&, std
 template std::shared_ptr<const Volume> Volume::fromValues(const VolumeGrid&, std::vector<std::uint32_t>);
 template std::shared_ptr<const Volume> Volume::fromValues(const VolumeGrid&, std::vector<float>);
 template std::shared_ptr<const Volume> Volume::fromValues(const VolumeGrid&, std::vector<double>);
+
+const ValueBricks& Volume::bricks(int channel) const {
+    assert(channel >= 0 && channel < grid_.channels);
+    const auto c = std::size_t(channel);
+    std::call_once(lazy_->once[c], [&] { lazy_->bricks[c] = makeValueBricks(*this, channel); });
+    return lazy_->bricks[c];
+}
 
 double Volume::at(Index3 index, int channel) const {
     assert(index.x >= 0 && index.y >= 0 && index.z >= 0 && index.x < grid_.size.x && index.y < grid_.size.y &&

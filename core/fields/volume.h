@@ -54,6 +54,8 @@ struct VolumeStatistics {
     std::vector<std::uint64_t> histogram;
 };
 
+struct ValueBricks;
+
 /// An immutable grid of samples. Voxels are owned by whatever `owner` is (heap, or memory that another process
 /// filled), i fastest, channels interleaved, in the machine's byte order. Rescale slope and intercept are applied
 /// already. Interpolation is trilinear; nothing is resampled, ever.
@@ -73,6 +75,9 @@ public:
     const VolumeStatistics& statistics() const { return statistics_; }
     const Mat4& indexFromWorld() const { return indexFromWorld_; }
 
+    /// Ranges of the values in small bricks (value_bricks.h), made on first use. Safe from many threads.
+    const ValueBricks& bricks(int channel) const;
+
     /// Stored value at a whole index (must be inside the grid).
     double at(Index3 index, int channel = 0) const;
 
@@ -90,12 +95,14 @@ public:
     void gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int channel = 0) const;
 
 private:
+    struct Lazy;
     VolumeGrid grid_;
     VoxelType type_;
     std::span<const std::byte> voxels_;
     std::shared_ptr<const void> owner_;
     VolumeStatistics statistics_;
     Mat4 indexFromWorld_;
+    std::shared_ptr<Lazy> lazy_;
     Vec3 rounding_;  // bound on the rounding error of an index computed from a world position, voxels
 };
 

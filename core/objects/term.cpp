@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/objects/combine.h"
+#include "core/objects/term_cache.h"
 #include "core/stf/mapped_cells.h"
 
 namespace voledit {
@@ -122,13 +123,14 @@ void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> s
 
 TermPtr makeVolumeTerm(std::shared_ptr<const Volume> volume, int channel, TransferFunction appearance) {
     const Box3 bounds = boundsOf(volume->grid().worldFrame());
-    return std::make_shared<const Term>(Term{VolumeTerm{std::move(volume), channel, std::move(appearance)}, bounds});
+    return std::make_shared<const Term>(Term{VolumeTerm{std::move(volume), channel, std::move(appearance)}, bounds,
+                                             std::make_shared<const TermCache>()});
 }
 
 TermPtr makeTransferTerm(TransferPtr by, TermPtr of, Combine combine, std::string name, TransferRole role) {
     const Box3 bounds = by->imageOf(of->bounds);
-    return std::make_shared<const Term>(
-        Term{TransferTerm{std::move(by), std::move(of), combine, std::move(name), role}, bounds});
+    return std::make_shared<const Term>(Term{TransferTerm{std::move(by), std::move(of), combine, std::move(name), role},
+                                             bounds, std::make_shared<const TermCache>()});
 }
 
 }  // namespace voledit

@@ -40,10 +40,13 @@ struct TransferTerm {
     TransferRole role = TransferRole::Outermost;
 };
 
-/// One node of a compiled term, and the box that holds all of its opacity.
+class TermCache;
+
+/// One node of a compiled term, and the box that holds all of its opacity. Made by the functions below.
 struct Term {
     std::variant<VolumeTerm, TransferTerm> node;
     Box3 bounds;
+    std::shared_ptr<const TermCache> cache;  // what it finds out about itself on first use
 };
 
 /// One point of a spatial object.

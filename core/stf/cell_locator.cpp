@@ -115,7 +115,10 @@ std::pair<Index3, Index3> CellLocator::range(const Box3& box) const {
 
 std::span<const std::uint32_t> CellLocator::candidates(const Vec3& p) const {
     if (!bounds_.contains(p)) return {};
-    const Index3 c = glm::min(Index3((p - bounds_.min) * cellsPerUnit_), resolution_ - 1);
+    return entriesOf(glm::min(Index3((p - bounds_.min) * cellsPerUnit_), resolution_ - 1));
+}
+
+std::span<const std::uint32_t> CellLocator::entriesOf(const Index3& c) const {
     const std::size_t cell = std::size_t(c.x) + std::size_t(resolution_.x) *
                                                     (std::size_t(c.y) + std::size_t(resolution_.y) * std::size_t(c.z));
     return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
@@ -157,6 +160,34 @@ void CellLocator::all(const Vec3& p, std::vector<CellLocation>& found) const {
         found.push_back({t, w});
         return false;
     });
+}
+
+bool CellLocator::anyMeeting(const Box3& box, const std::function<bool(std::uint32_t)>& found) const {
+    const Box3 common = intersect(box, bounds_);
+    if (common.empty()) return false;
+    const Vec3 centre = common.center(), half = 0.5 * common.size();
+    const auto mayMeet = [&](const Inverse& inverse) {
+        // No weight may be negative all over the box: the faces' planes as separating ones.
+        const auto w = weights(inverse, centre);
+        const Mat3 rates = glm::transpose(inverse.weightsFromEdge);
+        const auto reach = [&](const Vec3& rate) { return glm::dot(glm::abs(rate), half); };
+        return w[0] + reach(rates[0] + rates[1] + rates[2]) >= -2 * inverse.tolerance[0] &&
+               w[1] + reach(rates[0]) >= -2 * inverse.tolerance[1] &&
+               w[2] + reach(rates[1]) >= -2 * inverse.tolerance[2] &&
+               w[3] + reach(rates[2]) >= -2 * inverse.tolerance[3];
+    };
+    const auto [first, last] = range(common);
+    for (int k = first.z; k <= last.z; ++k)
+        for (int j = first.y; j <= last.y; ++j)
+            for (int i = first.x; i <= last.x; ++i)
+                for (const std::uint32_t h : entriesOf({i, j, k})) {
+                    // Only in the first cell that the two share, so that none comes twice.
+                    if (intersect(boxes_[h], common).empty()) continue;
+                    if (glm::max(range(boxes_[h]).first, first) != Index3(i, j, k)) continue;
+                    for (std::uint32_t t = 6 * h; t < 6 * h + 6; ++t)
+                        if (inverses_[t].tolerance[0] >= 0 && mayMeet(inverses_[t]) && found(t)) return true;
+                }
+    return false;
 }
 
 bool CellLocator::wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& found) const {

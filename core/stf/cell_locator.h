@@ -19,6 +19,10 @@ public:
     bool first(const Vec3& p, CellLocation& found) const;
     /// Every tetrahedron that accepts p, in list order, appended.
     void all(const Vec3& p, std::vector<CellLocation>& found) const;
+    /// Calls found(t) for each tetrahedron that may accept points of `box`, until it gives true; gives whether it did.
+    bool anyMeeting(const Box3& box, const std::function<bool(std::uint32_t)>& found) const;
+    /// Takes p − (vertex 0) to the weights of vertices 1, 2, 3.
+    const Mat3& weightsFromEdge(std::uint32_t tetrahedron) const { return inverses_[tetrahedron].weightsFromEdge; }
     /// Whether p lies in tetrahedron `hint` or one of its hexahedron's, farther from its faces than tolerance.
     bool wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
 
@@ -36,6 +40,7 @@ private:
     std::pair<Index3, Index3> range(const Box3& box) const;
     /// Hexahedra whose boxes meet the grid cell of p, ascending; empty outside.
     std::span<const std::uint32_t> candidates(const Vec3& p) const;
+    std::span<const std::uint32_t> entriesOf(const Index3& gridCell) const;
     template <class Visit>
     void visit(const Vec3& p, const Visit& accepted) const;
 

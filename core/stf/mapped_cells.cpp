@@ -188,6 +188,25 @@ Mat3 MappedCells::jacobianAt(const CellLocation& at) const {
     return result;
 }
 
+bool MappedCells::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
+    // A point that a tetrahedron accepts from just outside is taken for one within.
+    const double slack = 8 * thickness_;
+    const Vec3 centre = box.center(), half = 0.5 * (box.max - box.min) + slack;
+    return locator().anyMeeting({box.min - slack, box.max + slack}, [&](std::uint32_t n) {
+        const auto& t = tetrahedra_[n];
+        const Mat3 stretch = edges(data_.source, t) * locator().weightsFromEdge(n);
+        const Vec3 middle = data_.source[t[0]] + stretch * (centre - data_.deformed[t[0]]);
+        Vec3 reach(0);
+        for (int c = 0; c < 3; ++c) reach += glm::abs(stretch[c]) * half[c];
+        Box3 whole;
+        for (const std::uint32_t v : t) whole = join(whole, data_.source[v]);
+        // Neither bound alone is tight: the box may reach beyond the tetrahedron, and it beyond the box.
+        const double rounding = 1e-12 * (glm::length(middle) + glm::length(reach));
+        const Box3 common = intersect({middle - reach - rounding, middle + reach + rounding}, whole);
+        return !common.empty() && found(common);
+    });
+}
+
 void MappedCells::map(std::span<const Vec3> p, std::span<Vec3> q) const {
     assert(p.size() == q.size());
     parallelFor(p.size(), 4096, [&](std::size_t begin, std::size_t end) {

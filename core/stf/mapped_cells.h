@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -76,6 +77,10 @@ public:
     Vec3 sourceAt(const CellLocation& at) const;
     /// dq/dp at a location, interpolated from the vertices.
     Mat3 jacobianAt(const CellLocation& at) const;
+
+    /// Calls found(source) with boxes in source space, one for each tetrahedron that may hold points of `box`, until it
+    /// gives true; gives whether it did. Every source point of a point in `box` lies in one of them.
+    bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const;
 
     /// q[i] of each p[i] in parallel (`locate`, `sourceAt`); kUndefined outside. Needs equal sizes; may alias.
     void map(std::span<const Vec3> p, std::span<Vec3> q) const;

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "tests/core/eval/scenes.h"
+#include "tests/support/scenes.h"
 
 namespace voledit {
 namespace {
@@ -168,6 +168,60 @@ TEST(RayCaster, IsTheSameForEveryNumberOfThreadsAndInParts) {
     EXPECT_EQ(one.samples, several.samples);
     EXPECT_EQ(one.samples, parts.samples);
     EXPECT_GT(one.samples, 0u);
+}
+
+/// One pixel by the definition: every sample of the ray, one at a time.
+Vec4f plainPixel(const CompiledScene& scene, Index2 size, int x, int y) {
+    const Vec3 direction = rayThrough(scene.camera, size, x, y);
+    const Box3& box = scene.root->bounds;
+    double near = 0, far = kInfinity;
+    for (int a = 0; a < 3; ++a) {
+        const double s = (box.min[a] - scene.camera.eye[a]) / direction[a];
+        const double t = (box.max[a] - scene.camera.eye[a]) / direction[a];
+        near = std::max(near, std::min(s, t));
+        far = std::min(far, std::max(s, t));
+    }
+    Vec3 color(0);
+    double depth = 0;
+    for (double from = near; from < far; from += scene.stepLength()) {
+        const double to = std::min(from + scene.stepLength(), far);
+        const Vec3 p = scene.camera.eye + 0.5 * (from + to) * direction;
+        ObjectSample s;
+        sample(*scene.root, std::span(&p, 1), std::span(&s, 1), true);
+        const double extinction = -std::log(1 - std::min(s.opacity, 0.9999)) / scene.opacityDistance * (to - from);
+        color += std::exp(-depth) * (1 - std::exp(-extinction)) *
+                 shade(scene.render, s.color, s.normalGradient, -direction, -direction);
+        depth += extinction;
+    }
+    return Vec4f(color + std::exp(-depth) * scene.render.background, 1 - std::exp(-depth));
+}
+
+TEST(RayCaster, SkippingEmptySpaceAndBlocksChangeNoPixel) {
+    const auto placed = [](const TermPtr& of) {
+        return makeTransferTerm(
+            std::make_shared<AffineMap>(placementMatrix({0.3, 0.2, 0.1}, {0.4, 0.3, -1}, {1, 1.5, 0.7})), of,
+            Combine::Union, "", TransferRole::Place);
+    };
+    const auto lattice = [](double amount, const TermPtr& of) {
+        return makeTransferTerm(bentLattice(amount, 8), of, Combine::Union, "");
+    };
+    for (const TermPtr& root : {ballInMist(), placed(ballInMist()), lattice(0.3, ballInMist()),
+                                lattice(-2, ballInMist()), placed(lattice(0.3, placed(ballInMist())))}) {
+        CompiledScene scene = sceneOf(root, kOblique, 0.03);
+        scene.render.shading = true;
+        scene.opacityDistance = 0.2;
+        const Index2 size(32, 24);
+        const Picture picture = castRays(scene, size);
+        float most = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const Vec4f expected = plainPixel(scene, size, x, y);
+                // The end of a ray that is nearly opaque is left out.
+                for (int c = 0; c < 4; ++c) EXPECT_NEAR(picture.at(x, y)[c], expected[c], 2e-5) << x << " " << y;
+                most = std::max(most, expected.a);
+            }
+        EXPECT_GT(most, 0.9f);
+    }
 }
 
 TEST(RayCaster, AnUnmovedLatticeChangesNothing) {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "tests/core/eval/scenes.h"
+#include "tests/support/scenes.h"
 
 namespace voledit {
 namespace {

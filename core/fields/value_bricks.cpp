@@ -1,0 +1,91 @@
+#include "core/fields/value_bricks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/fields/voxel_type.h"
+
+namespace voledit {
+
+namespace {
+
+constexpr int kSide = ValueBricks::kSide;
+
+template <class T>
+struct Range {
+    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    bool any = false;
+
+    // Written so that a NaN changes nothing and the compiler needs no branch.
+    void take(T v) {
+        low = v < low ? v : low;
+        high = v > high ? v : high;
+        any = any || v == v;
+    }
+    void take(const Range& r) {
+        low = std::min(low, r.low);
+        high = std::max(high, r.high);
+        any = any || r.any;
+    }
+};
+
+float below(double v) {
+    const float f = static_cast<float>(v);
+    return double(f) > v ? std::nextafter(f, -INFINITY) : f;
+}
+float above(double v) {
+    const float f = static_cast<float>(v);
+    return double(f) < v ? std::nextafter(f, INFINITY) : f;
+}
+
+/// Ranges along the rows of voxels of one slice z, joined into `rows` [y][brick].
+template <class T>
+void takeSlice(const VolumeGrid& grid, const T* slice, std::vector<Range<T>>& rows, int bricks) {
+    const auto channels = std::size_t(grid.channels);
+    for (int y = 0; y < grid.size.y; ++y) {
+        const T* row = slice + std::size_t(y) * std::size_t(grid.size.x) * channels;
+        for (int b = 0; b < bricks; ++b) {
+            Range<T> range = rows[std::size_t(y * bricks + b)];
+            for (int i = b * kSide; i <= std::min((b + 1) * kSide, grid.size.x - 1); ++i)
+                range.take(row[std::size_t(i) * channels]);
+            rows[std::size_t(y * bricks + b)] = range;
+        }
+    }
+}
+
+template <class T>
+void fillLayer(const VolumeGrid& grid, const T* voxels, int k, ValueBricks& result) {
+    std::vector<Range<T>> rows(std::size_t(grid.size.y) * std::size_t(result.count.x));
+    const std::size_t slice = std::size_t(grid.size.x) * std::size_t(grid.size.y) * std::size_t(grid.channels);
+    for (int z = k * kSide; z <= std::min((k + 1) * kSide, grid.size.z - 1); ++z)
+        takeSlice(grid, voxels + std::size_t(z) * slice, rows, result.count.x);
+    for (int j = 0; j < result.count.y; ++j)
+        for (int i = 0; i < result.count.x; ++i) {
+            Range<T> range;
+            for (int y = j * kSide; y <= std::min((j + 1) * kSide, grid.size.y - 1); ++y)
+                range.take(rows[std::size_t(y * result.count.x + i)]);
+            const std::size_t at = result.indexOf({i, j, k});
+            result.low[at] = range.any ? below(double(range.low)) : INFINITY;
+            result.high[at] = range.any ? above(double(range.high)) : -INFINITY;
+        }
+}
+
+}  // namespace
+
+ValueBricks makeValueBricks(const Volume& volume, int channel) {
+    ValueBricks result;
+    const VolumeGrid& grid = volume.grid();
+    for (int a = 0; a < 3; ++a) result.count[a] = std::max((grid.size[a] - 1 + kSide - 1) / kSide, 1);
+    result.low.resize(result.indexOf({0, 0, result.count.z}));
+    result.high.resize(result.low.size());
+    withVoxelType(volume.type(), [&](auto t) {
+        const auto* voxels = reinterpret_cast<const decltype(t)*>(volume.voxels().data()) + channel;
+        parallelFor(std::size_t(result.count.z), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) fillLayer(grid, voxels, int(k), result);
+        });
+    });
+    return result;
+}
+
+}  // namespace voledit

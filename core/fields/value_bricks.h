@@ -1,0 +1,25 @@
+#pragma once
+// Ranges of a volume's values in small bricks: what tells where there is nothing to see.
+
+#include <vector>
+
+#include "core/fields/volume.h"
+
+namespace voledit {
+
+/// Smallest and largest finite or infinite value of one channel in bricks of 4³ voxels: brick b of an axis holds the
+/// samples 4b … 4b + 4, so that every value interpolated between these lies in its range. Rounded outwards to float.
+struct ValueBricks {
+    static constexpr int kSide = 4;
+    Index3 count{0};               // bricks along each axis: ceil((n − 1) / 4), at least 1
+    std::vector<float> low, high;  // i fastest; low > high where a brick holds nothing but NaN
+
+    std::size_t indexOf(Index3 b) const {
+        return std::size_t(b.x) + std::size_t(count.x) * (std::size_t(b.y) + std::size_t(count.y) * std::size_t(b.z));
+    }
+};
+
+/// Goes through the voxels once, in parallel. Volume::bricks keeps the result.
+ValueBricks makeValueBricks(const Volume& volume, int channel);
+
+}  // namespace voledit
