@@ -3,33 +3,37 @@
 
 namespace voledit::icons {
 
-inline constexpr const char* kVolume = "\xef\x86\xb2";      // cube
-inline constexpr const char* kLattice = "\xef\x80\x8a";     // th
-inline constexpr const char* kAppearance = "\xef\x82\x80";  // bar-chart
-inline constexpr const char* kRender = "\xef\x83\xab";      // lightbulb-o
-inline constexpr const char* kHistory = "\xef\x87\x9a";     // history
-inline constexpr const char* kScene = "\xef\x86\xb3";       // cubes
-inline constexpr const char* kEye = "\xef\x81\xae";         // eye
-inline constexpr const char* kEyeOff = "\xef\x81\xb0";      // eye-slash
-inline constexpr const char* kAdd = "\xef\x81\xa7";         // plus
-inline constexpr const char* kRemove = "\xef\x87\xb8";      // trash
-inline constexpr const char* kReset = "\xef\x83\xa2";       // undo
-inline constexpr const char* kUndo = "\xef\x83\xa2";        // undo
-inline constexpr const char* kRedo = "\xef\x80\x9e";        // repeat
-inline constexpr const char* kOpen = "\xef\x81\xbc";        // folder-open
-inline constexpr const char* kSave = "\xef\x83\x87";        // floppy-o
-inline constexpr const char* kCamera = "\xef\x80\xb0";      // camera
-inline constexpr const char* kFrame = "\xef\x82\xb2";       // arrows-alt
-inline constexpr const char* kMove = "\xef\x81\x87";        // arrows
-inline constexpr const char* kWarning = "\xef\x81\xb1";     // exclamation-triangle
-inline constexpr const char* kInfo = "\xef\x81\x9a";        // info-circle
-inline constexpr const char* kClose = "\xef\x80\x8d";       // times
-inline constexpr const char* kCheck = "\xef\x80\x8c";       // check
-inline constexpr const char* kFolder = "\xef\x81\xbb";      // folder
-inline constexpr const char* kFile = "\xef\x80\x96";        // file-o
-inline constexpr const char* kSearch = "\xef\x80\x82";      // search
-inline constexpr const char* kUp = "\xef\x81\xa2";          // arrow-up
-inline constexpr const char* kHome = "\xef\x80\x95";        // home
-inline constexpr const char* kSun = "\xef\x86\x85";         // sun-o
+inline constexpr const char* kVolume = "\xef\x86\xb2";         // cube
+inline constexpr const char* kLattice = "\xef\x80\x8a";        // th
+inline constexpr const char* kAppearance = "\xef\x82\x80";     // bar-chart
+inline constexpr const char* kRender = "\xef\x83\xab";         // lightbulb-o
+inline constexpr const char* kHistory = "\xef\x87\x9a";        // history
+inline constexpr const char* kScene = "\xef\x86\xb3";          // cubes
+inline constexpr const char* kEye = "\xef\x81\xae";            // eye
+inline constexpr const char* kEyeOff = "\xef\x81\xb0";         // eye-slash
+inline constexpr const char* kAdd = "\xef\x81\xa7";            // plus
+inline constexpr const char* kRemove = "\xef\x87\xb8";         // trash
+inline constexpr const char* kReset = "\xef\x83\xa2";          // undo
+inline constexpr const char* kUndo = "\xef\x83\xa2";           // undo
+inline constexpr const char* kRedo = "\xef\x80\x9e";           // repeat
+inline constexpr const char* kOpen = "\xef\x81\xbc";           // folder-open
+inline constexpr const char* kSave = "\xef\x83\x87";           // floppy-o
+inline constexpr const char* kCamera = "\xef\x80\xb0";         // camera
+inline constexpr const char* kFrame = "\xef\x82\xb2";          // arrows-alt
+inline constexpr const char* kMove = "\xef\x81\x87";           // arrows
+inline constexpr const char* kWarning = "\xef\x81\xb1";        // exclamation-triangle
+inline constexpr const char* kInfo = "\xef\x81\x9a";           // info-circle
+inline constexpr const char* kClose = "\xef\x80\x8d";          // times
+inline constexpr const char* kCheck = "\xef\x80\x8c";          // check
+inline constexpr const char* kFolder = "\xef\x81\xbb";         // folder
+inline constexpr const char* kFile = "\xef\x80\x96";           // file-o
+inline constexpr const char* kSearch = "\xef\x80\x82";         // search
+inline constexpr const char* kUp = "\xef\x81\xa2";             // arrow-up
+inline constexpr const char* kHome = "\xef\x80\x95";           // home
+inline constexpr const char* kSun = "\xef\x86\x85";            // sun-o
+inline constexpr const char* kOpenSection = "\xef\x84\x87";    // angle-down
+inline constexpr const char* kClosedSection = "\xef\x84\x85";  // angle-right
+inline constexpr const char* kFit = "\xef\x81\xa5";            // expand
+inline constexpr const char* kDrop = "\xef\x83\x97";           // caret-down
 
 }  // namespace voledit::icons

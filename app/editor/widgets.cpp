@@ -69,6 +69,13 @@ float speedOf(const NumberFormat& format, double value) {
     return float(bounded ? (format.max - format.min) / 300 : std::max(std::abs(value) / 100, 0.01));
 }
 
+/// Where `value` lies between the format's bounds, 0…1.
+double shareOf(const NumberFormat& format, double value) {
+    const double clamped = std::clamp(value, format.min, format.max);
+    if (format.logarithmic) return std::log(clamped / format.min) / std::log(format.max / format.min);
+    return (clamped - format.min) / (format.max - format.min);
+}
+
 /// A dragged number of the current item width; `label` with "##".
 bool drag(const char* label, double& value, const NumberFormat& format) {
     const double low = std::isfinite(format.min) ? format.min : -1e30;
@@ -262,8 +269,24 @@ Edit slider(const char* label, double& value, const NumberFormat& format, const 
     row(label);
     const ImGuiSliderFlags flags =
         ImGuiSliderFlags_AlwaysClamp | (format.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    // A bar that is filled as far as the value goes says more than a grab.
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const float width = ImGui::CalcItemWidth(), height = ImGui::GetFrameHeight();
+    const bool active = ImGui::GetActiveID() == ImGui::GetID(hidden(label).c_str());
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(min, {min.x + width, min.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+    if (const float filled = width * float(shareOf(format, value)); filled > 1)
+        list.AddRectFilled(min, {min.x + filled, min.y + height},
+                           ImGui::GetColorU32(packed(theme::kAccent, active ? 0.75f : 0.5f)), rounding,
+                           filled < width - 1 ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersAll);
+    for (const ImGuiCol c : {ImGuiCol_FrameBg, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+        ImGui::PushStyleColor(c, 0);
+    ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, packed(theme::kText, 0.06f));
+    ImGui::SetNextItemWidth(width);
     const bool changed = ImGui::SliderScalar(hidden(label).c_str(), ImGuiDataType_Double, &value, &format.min,
                                              &format.max, formatOf(format).c_str(), flags);
+    ImGui::PopStyleColor(5);
     return finish(label, changed, help);
 }
 
@@ -334,10 +357,25 @@ Edit text(const char* label, std::string& value, const std::string& help) {
 }
 
 bool section(const char* label, bool openAtFirst) {
-    ImGui::PushStyleColor(ImGuiCol_Header, 0);
-    const bool open = ImGui::CollapsingHeader(label, openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-    ImGui::PopStyleColor();
-    noteWidget(label);
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(label);
+    bool open = storage.GetBool(id, openAtFirst);
+    const float em = ImGui::GetFontSize(), height = std::round(em * 1.75f);
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 max{min.x + ImGui::GetContentRegionAvail().x, min.y + height};
+    if (ImGui::InvisibleButton(label, {max.x - min.x, height})) storage.SetBool(id, open = !open);
+    noteWidget(shownPart(label));
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool hovered = ImGui::IsItemHovered();
+    list.AddRectFilled(min, max, ImGui::GetColorU32(packed(hovered ? theme::kControl : theme::kHeader)),
+                       ImGui::GetStyle().FrameRounding);
+    const float y = min.y + (height - em) / 2;
+    list.AddText({min.x + em * 0.45f, y}, ImGui::GetColorU32(packed(theme::kTextDim)),
+                 open ? icons::kOpenSection : icons::kClosedSection);
+    ImGui::PushFont(font(FontRole::Strong));
+    list.AddText({min.x + em * 1.55f, y}, ImGui::GetColorU32(ImGuiCol_Text), shownPart(label).c_str());
+    ImGui::PopFont();
     return open;
 }
 

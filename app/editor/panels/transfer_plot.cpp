@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
+#include "app/editor/icons.h"
 #include "app/editor/theme.h"
 
 namespace voledit {
@@ -324,7 +325,13 @@ void TransferPlot::entry(const TransferFunction& committed, const ValueRange& wh
         if (painted.changed) result.function.color.points[i].color = color;
         if (edit.changed || edit.finished || edit.cancelled) result.edit = edit, result.step = "Edit colour";
     } else {
-        ui::note("Double-click to add a point, right-click to remove one");
+        ImGui::PushFont(font(FontRole::Small));
+        ImGui::AlignTextToFramePadding();
+        ui::note("Double-click: add  ·  right-click: remove");
+        ImGui::PopFont();
+        const float side = ImGui::GetFrameHeight() * 1.1f;
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side);
+        if (ui::iconButton(icons::kFit, "Fit", "Show all values. The wheel zooms, a middle drag pans.")) fit();
     }
 }
 

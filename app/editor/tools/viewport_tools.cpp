@@ -74,7 +74,7 @@ void ViewportTools::cancel(ToolContext context) {
 
 std::string ViewportTools::hint(const ToolContext& context) const {
     const std::string tool = lattice_.hint(context);
-    if (!lattice_.idle()) return tool;
+    if (!lattice_.idle() || (lattice_.hovered() && drag_ == Drag::None)) return tool;
     switch (drag_) {
         case Drag::Orbit:
             return "Orbit about the target";
