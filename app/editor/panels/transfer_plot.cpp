@@ -24,6 +24,14 @@ int decimalsFor(double range) {
     return std::clamp(int(std::ceil(-std::log10(std::max(range, 1e-12) / 300))), 0, 6);
 }
 
+/// All values of the data and of the tables, never empty.
+ValueRange wholeRange(const TransferFunction& tables, const VolumeStatistics& statistics) {
+    ValueRange whole = rangeOf(tables);
+    whole.low = std::min(whole.low, statistics.min);
+    whole.high = std::max(whole.high, statistics.max);
+    return whole.size() > 0 ? whole : ValueRange{whole.low - 0.5, whole.low + 0.5};
+}
+
 ImU32 rgb(const Vec3& c, float alpha = 1) {
     return packed(Vec4f(float(c.x), float(c.y), float(c.z), 1), alpha);
 }
@@ -49,29 +57,28 @@ struct TransferPlot::Geometry {
     bool inView(double x) const { return x >= plotMin.x - 0.5 && x <= plotMax.x + 0.5; }
 };
 
-TransferPlot::Result TransferPlot::draw(const TransferFunction& shown, const TransferFunction& committed,
-                                        const VolumeStatistics& statistics) {
-    ValueRange whole = rangeOf(committed);
-    whole.low = std::min(whole.low, statistics.min);
-    whole.high = std::max(whole.high, statistics.max);
-    if (!(whole.size() > 0)) whole = {whole.low - 0.5, whole.low + 0.5};
-    const double margin = 0.02 * whole.size();
-
+TransferPlot::Geometry TransferPlot::geometry(const ValueRange& whole) const {
     const double em = ImGui::GetFontSize(), width = std::max(8 * em, double(ImGui::GetContentRegionAvail().x));
+    const double margin = 0.02 * whole.size();
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
-    const Vec2 origin{cursor.x, cursor.y};
     Geometry g{};
-    g.plotMin = origin;
-    g.plotMax = origin + Vec2(width, 9.5 * em);
-    g.barMin = {origin.x, g.plotMax.y + 0.15 * em};
+    g.plotMin = {cursor.x, cursor.y};
+    g.plotMax = g.plotMin + Vec2(width, 9.5 * em);
+    g.barMin = {g.plotMin.x, g.plotMax.y + 0.15 * em};
     g.barMax = g.barMin + Vec2(width, 0.9 * em);
     g.view = view_.value_or(ValueRange{whole.low - margin, whole.high + margin});
     g.em = em;
     g.list = ImGui::GetWindowDrawList();
+    return g;
+}
 
-    const double height = g.barMax.y - origin.y + 0.5 * em;
+TransferPlot::Result TransferPlot::draw(const TransferFunction& shown, const TransferFunction& committed,
+                                        const VolumeStatistics& statistics) {
+    const ValueRange whole = wholeRange(committed, statistics);
+    const Geometry g = geometry(whole);
+    const ImVec2 size{float(g.plotMax.x - g.plotMin.x), float(g.barMax.y - g.plotMin.y + 0.5 * g.em)};
     ImGui::InvisibleButton(
-        "##transfer plot", {float(width), float(height)},
+        "##transfer plot", size,
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemUsingMouseWheel();
     noteWidget("Opacity plot", g.plotMin, g.plotMax);
@@ -88,14 +95,14 @@ TransferPlot::Result TransferPlot::draw(const TransferFunction& shown, const Tra
     if (hovered && !start_ && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) removeHandle(under, result);
     if (hovered && !start_ && deletes) removeHandle(selected_, result);
 
-    g.list->PushClipRect(im(g.plotMin - Vec2(0.4 * em)), im(g.barMax + Vec2(0.6 * em)), true);
+    g.list->PushClipRect(im(g.plotMin - Vec2(0.4 * g.em)), im(g.barMax + Vec2(0.6 * g.em)), true);
     drawHistogram(g, statistics);
     drawOpacity(g, result.function, under);
     drawColors(g, result.function, under);
     if (hovered || start_) drawReadout(g, result.function);
     g.list->PopClipRect();
     drawAxis(g);
-    ImGui::Dummy({float(width), float(0.9 * em)});
+    ImGui::Dummy({size.x, float(0.9 * g.em)});
     entry(committed, whole, result);
     return result;
 }
@@ -190,15 +197,14 @@ void TransferPlot::drag(const Geometry& g, Result& result) {
     if (escape) ImGui::ClearActiveID();
 }
 
-bool TransferPlot::removeHandle(Handle handle, Result& result) {
+void TransferPlot::removeHandle(Handle handle, Result& result) {
     bool removed = false;
     if (handle.part == Part::Opacity) removed = removePoint(result.function.opacity, handle.index);
     if (handle.part == Part::Color) removed = removeStop(result.function.color, handle.index);
-    if (!removed) return false;
+    if (!removed) return;
     result.step = handle.part == Part::Opacity ? "Remove opacity point" : "Remove colour";
     result.edit = {true, true, false};
     selected_ = {};
-    return true;
 }
 
 void TransferPlot::drawHistogram(const Geometry& g, const VolumeStatistics& statistics) const {

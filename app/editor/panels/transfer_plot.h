@@ -40,11 +40,12 @@ private:
         bool operator==(const Handle&) const = default;
     };
 
+    Geometry geometry(const ValueRange& whole) const;
     Handle handleAt(const Geometry& g, const TransferFunction& shown, const Vec2& mouse) const;
     void navigate(const Geometry& g, const ValueRange& whole);
     void press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar);
     void drag(const Geometry& g, Result& result);
-    bool removeHandle(Handle handle, Result& result);
+    void removeHandle(Handle handle, Result& result);
     void drawHistogram(const Geometry& g, const VolumeStatistics& statistics) const;
     void drawOpacity(const Geometry& g, const TransferFunction& shown, const Handle& under) const;
     void drawColors(const Geometry& g, const TransferFunction& shown, const Handle& under) const;
