@@ -26,7 +26,7 @@ LoadedVolumes readVolumes(IoClient& io, const Scene& scene, const fs::path& fold
                 volume = file.volume;
                 warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
             } catch (const Error& error) {
-                throw Error("asset \"" + name + "\": " + error.what());
+                throw Error("asset \"" + name + "\" (/assets/" + name + "/path): " + error.what());
             }
         }
         volumes[name] = volume;
@@ -40,7 +40,11 @@ OpenedScene openFile(IoClient& io, const fs::path& path, const OpenOptions& opti
         opened.scene = loadScene(path, options.scene);
         opened.folder = fs::absolute(path).parent_path();
         opened.path = path;
-        opened.volumes = readVolumes(io, opened.scene, opened.folder, options, opened.warnings, progress);
+        try {
+            opened.volumes = readVolumes(io, opened.scene, opened.folder, options, opened.warnings, progress);
+        } catch (const Error& error) {
+            throw Error(path.string() + ": " + error.what());
+        }
         return opened;
     }
     VolumeFile file = io.readVolume(path, options.read, progress);
