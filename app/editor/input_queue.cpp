@@ -13,15 +13,17 @@ void InputQueue::push(std::span<const InputEvent> events) {
 std::vector<InputEvent> InputQueue::takeFrame() {
     using Kind = InputEvent::Kind;
     std::vector<InputEvent> taken;
-    bool button = false;
+    bool button = false, acted = false;
     while (!waiting_.empty()) {
         const InputEvent& next = waiting_.front();
         const bool again = std::any_of(taken.begin(), taken.end(), [&](const InputEvent& e) {
             return (e.kind == next.kind && e.kind == Kind::Button && e.button == next.button) ||
                    (e.kind == next.kind && e.kind == Kind::Key && e.key == next.key);
         });
-        if (again || (next.kind == Kind::Move && button)) break;
+        const bool modifier = next.kind == Kind::Key && next.key >= Key::Shift;
+        if (again || (next.kind == Kind::Move && button) || (modifier && acted)) break;
         button |= next.kind == Kind::Button;
+        acted |= next.kind != Kind::Move && !modifier;
         const bool last = next.kind == Kind::Text || next.kind == Kind::Drop;
         taken.push_back(std::move(waiting_.front()));
         waiting_.pop_front();

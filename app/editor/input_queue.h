@@ -15,7 +15,8 @@ class InputQueue {
 public:
     void push(std::span<const InputEvent> events);
     /// What the next frame sees: the longest run of waiting events in which no button or key changes twice, no move
-    /// follows a change of a button, and nothing follows a text or a drop.
+    /// follows a change of a button, no modifier changes after what it belongs to, and nothing follows a text or a
+    /// drop.
     std::vector<InputEvent> takeFrame();
     bool empty() const { return waiting_.empty(); }
 
