@@ -101,6 +101,8 @@ bool anyPairOfBoxes(std::span<const Box3> boxes, const std::function<bool(std::u
 }
 
 bool trianglesTouch(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double tolerance) {
+    // Any axis that separates will do, and the line of the centres mostly does.
+    if (separates((b[0] + b[1] + b[2]) - (a[0] + a[1] + a[2]), a, b, tolerance)) return false;
     const std::array<Vec3, 3> edgesA{a[1] - a[0], a[2] - a[1], a[0] - a[2]};
     const std::array<Vec3, 3> edgesB{b[1] - b[0], b[2] - b[1], b[0] - b[2]};
     const Vec3 normalA = glm::cross(edgesA[0], edgesA[1]), normalB = glm::cross(edgesB[0], edgesB[1]);
