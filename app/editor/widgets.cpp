@@ -199,13 +199,23 @@ Edit checkbox(const char* label, bool& value, const std::string& help) {
     return edit;
 }
 
+bool beginCombo(const char* label, const std::string& shown) {
+    const bool open = ImGui::BeginCombo(hidden(label).c_str(), shown.c_str(),
+                                        ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
+    if (open) return true;
+    noteWidget(label);
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const float em = ImGui::GetFontSize();
+    ImGui::GetWindowDrawList()->AddText({max.x - em * 1.35f, min.y + (max.y - min.y - em) / 2},
+                                        ImGui::GetColorU32(packed(theme::kTextDim)), icons::kDrop);
+    return false;
+}
+
 Edit combo(const char* label, int& index, std::span<const std::string> items, const std::string& help) {
     row(label);
     const bool known = index >= 0 && std::size_t(index) < items.size();
     bool changed = false;
-    const bool open = ImGui::BeginCombo(hidden(label).c_str(), known ? items[std::size_t(index)].c_str() : "",
-                                        ImGuiComboFlags_HeightLarge);
-    noteWidget(label);
+    const bool open = beginCombo(label, known ? items[std::size_t(index)] : "");
     if (!open) {
         tooltip(help);
         return {};
@@ -371,10 +381,10 @@ bool section(const char* label, bool openAtFirst) {
     list.AddRectFilled(min, max, ImGui::GetColorU32(packed(hovered ? theme::kControl : theme::kHeader)),
                        ImGui::GetStyle().FrameRounding);
     const float y = min.y + (height - em) / 2;
-    list.AddText({min.x + em * 0.45f, y}, ImGui::GetColorU32(packed(theme::kTextDim)),
+    list.AddText({min.x + em * 0.2f, y}, ImGui::GetColorU32(packed(theme::kTextDim)),
                  open ? icons::kOpenSection : icons::kClosedSection);
     ImGui::PushFont(font(FontRole::Strong));
-    list.AddText({min.x + em * 1.55f, y}, ImGui::GetColorU32(ImGuiCol_Text), shownPart(label).c_str());
+    list.AddText({min.x + em * 1.6f, y}, ImGui::GetColorU32(ImGuiCol_Text), shownPart(label).c_str());
     ImGui::PopFont();
     return open;
 }

@@ -63,6 +63,9 @@ void actionMenuItem(const Actions& actions, const std::string& id);
 Edit checkbox(const char* label, bool& value, const std::string& help = {});
 /// Index of the chosen one of `items`.
 Edit combo(const char* label, int& index, std::span<const std::string> items, const std::string& help = {});
+/// The field of a list that opens below it, with `shown` in it; while true the caller draws the list's rows and ends it
+/// with ImGui::EndCombo. While false the field is ImGui's last item.
+bool beginCombo(const char* label, const std::string& shown);
 /// Buttons side by side, one of them on.
 Edit choice(const char* label, int& index, std::span<const std::string> items, const std::string& help = {});
 /// A number dragged sideways, or typed after a double click or Ctrl+click.

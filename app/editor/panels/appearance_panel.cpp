@@ -22,30 +22,46 @@ std::vector<std::string> shownAssets(const Workspace& workspace) {
     return names;
 }
 
-/// The colours of `tables` over their values, darker where they are transparent, into a rectangle.
+/// The colours of `tables`, darker where they are transparent, in a rectangle. Each stretch between two points takes as
+/// much room as any other, for most of what is seen lies in a small part of the values.
 void drawSwatch(ImDrawList& list, const TransferFunction& tables, const ImVec2& min, const ImVec2& max) {
-    const ValueRange range = rangeOf(tables);
-    if (!(range.size() > 0)) return;
-    const int steps = 28;
+    std::vector<double> stops;
+    for (const auto& point : tables.opacity.points) stops.push_back(point.x);
+    for (const auto& point : tables.color.points) stops.push_back(point.value);
+    std::sort(stops.begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    if (stops.size() < 2) return;
+    const auto shadeAt = [&](double share) {
+        const double at = share * double(stops.size() - 1);
+        const std::size_t i = std::min(std::size_t(at), stops.size() - 2);
+        const double value = stops[i] + (at - double(i)) * (stops[i + 1] - stops[i]);
+        const Vec3 c = tables.color(value) * (0.12 + 0.88 * std::sqrt(std::clamp(tables.opacity(value), 0.0, 1.0)));
+        return packed(Vec4f(float(c.x), float(c.y), float(c.z), 1));
+    };
+    const int steps = 32;
     for (int i = 0; i < steps; ++i) {
-        const double value = range.low + range.size() * (i + 0.5) / steps;
-        const double shade = 0.15 + 0.85 * std::pow(std::clamp(tables.opacity(value), 0.0, 1.0), 0.5);
-        const Vec3 c = tables.color(value) * shade;
-        const float left = min.x + (max.x - min.x) * float(i) / float(steps);
-        const float right = min.x + (max.x - min.x) * float(i + 1) / float(steps);
-        list.AddRectFilled({left, min.y}, {right, max.y}, packed(Vec4f(float(c.x), float(c.y), float(c.z), 1)));
+        const double from = double(i) / steps, to = double(i + 1) / steps;
+        const ImU32 left = shadeAt(from), right = shadeAt(to);
+        list.AddRectFilledMultiColor({min.x + (max.x - min.x) * float(from), min.y},
+                                     {min.x + (max.x - min.x) * float(to), max.y}, left, right, right, left);
     }
 }
 
-/// A row of the preset list: title, swatch at the right. True when it was clicked.
-bool presetRow(const std::string& title, const TransferFunction* tables, bool chosen) {
+/// The swatch at the right end of the item drawn last, `gap` letters before its end.
+void swatchInItem(const TransferFunction& tables, float gap) {
     const float em = ImGui::GetFontSize();
-    const bool clicked = ImGui::Selectable(title.c_str(), chosen, 0, {0, em * 1.35f});
-    noteWidget(title);
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    if (tables)
-        drawSwatch(*ImGui::GetWindowDrawList(), *tables, {max.x - em * 6, min.y + em * 0.3f},
-                   {max.x - em * 0.3f, max.y - em * 0.3f});
+    const float inset = std::round((max.y - min.y - em * 0.8f) / 2), right = max.x - em * gap;
+    drawSwatch(*ImGui::GetWindowDrawList(), tables, {right - em * 4.5f, min.y + inset}, {right, max.y - inset});
+}
+
+/// A row of the preset list: title, swatch at the right. True when it was clicked.
+bool presetRow(const std::string& title, const TransferFunction& tables, bool chosen) {
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5f));
+    const bool clicked = ImGui::Selectable(title.c_str(), chosen, 0, {0, ImGui::GetFontSize() * 1.4f});
+    ImGui::PopStyleVar();
+    noteWidget(title);
+    swatchInItem(tables, 0.4f);
     return clicked;
 }
 
@@ -61,9 +77,9 @@ void presetCombo(Workspace& workspace, const std::string& asset) {
     const Appearance& now = *findAppearance(workspace.document.scene(), asset);
     const std::string title = titleOf(now);
     ui::row("Preset");
-    const bool open = ImGui::BeginCombo("##Preset", title.c_str(), ImGuiComboFlags_HeightLarge);
-    noteWidget("Preset");
+    const bool open = ui::beginCombo("Preset", title);
     if (!open) {
+        swatchInItem(resolve(now, *workspace.volumes.at(asset)), 1.6f);
         ui::tooltip("How values become colour and opacity");
         return;
     }
@@ -76,9 +92,9 @@ void presetCombo(Workspace& workspace, const std::string& asset) {
         });
     };
     std::optional<std::string> chosen;
-    if (presetRow("Grey ramp", nullptr, title == "Grey ramp")) chosen = "";
+    if (presetRow("Grey ramp", greyRamp(0, 1), title == "Grey ramp")) chosen = "";
     for (const Preset& preset : presets()) {
-        if (presetRow(preset.title, &preset.tables, title == preset.title)) chosen = preset.name;
+        if (presetRow(preset.title, preset.tables, title == preset.title)) chosen = preset.name;
         ui::tooltip(preset.description);
     }
     ImGui::EndCombo();

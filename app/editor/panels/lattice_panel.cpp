@@ -138,13 +138,13 @@ void drawLatticePanel(Workspace& workspace) {
     const Transfer* transfer = findTransfer(document.scene(), name);
     const auto* ffd = transfer ? std::get_if<FfdTransfer>(&transfer->kind) : nullptr;
     if (!view || !ffd) return ui::note("\"" + name + "\" takes no part in what is shown.");
+    // Copies: an edit below replaces what the pointers point to.
+    const Transfer settings = *transfer;
+    const FfdTransfer shape = *ffd;
     if (!view->exact) ui::note("Shown where it acts: a deformation outside it moves what you see.");
     drawFolds(*view);
     drawSelection(workspace, *view);
     ui::heading("LATTICE");
-    // Copies: an edit replaces what the pointers point to.
-    const Transfer settings = *transfer;
-    const FfdTransfer shape = *ffd;
     drawStrength(document, name, settings);
     drawShape(document, *view, shape);
 }

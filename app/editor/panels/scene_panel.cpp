@@ -53,9 +53,11 @@ void drawLattice(Workspace& workspace, const std::string& name) {
     const float side = ImGui::GetFrameHeight() * 1.1f, room = ImGui::GetContentRegionAvail().x - 2 * side;
     const bool active = activeLattice(workspace) == name;
     ImGui::PushStyleColor(ImGuiCol_Text, packed(enabled ? theme::kText : theme::kTextDim));
-    ImGui::AlignTextToFramePadding();
     const std::string label = std::string(icons::kLattice) + "  " + name;
-    const bool clicked = ImGui::Selectable(label.c_str(), active, 0, {room - ImGui::GetStyle().ItemSpacing.x, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0.02f, 0.5f));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ImGui::GetStyle().ItemSpacing.y));
+    const bool clicked = ImGui::Selectable(label.c_str(), active, 0, {room, ImGui::GetFrameHeight()});
+    ImGui::PopStyleVar(2);
     ImGui::PopStyleColor();
     noteWidget(name);
     if (clicked && workspace.selection.lattice != name) workspace.selection = {name, {}};

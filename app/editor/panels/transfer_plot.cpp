@@ -314,8 +314,8 @@ void TransferPlot::entry(const TransferFunction& committed, const ValueRange& wh
     if (selected_.part == Part::Opacity && selected_.index < result.function.opacity.points.size()) {
         const std::size_t i = selected_.index;
         Vec2 at = result.function.opacity.points[i];
-        const Edit edit = ui::number("Value", at.x, values, "Data value of the selected point") |
-                          ui::number("Opacity", at.y, opacities, "Opacity of one opacity distance of the material");
+        Edit edit = ui::number("Value", at.x, values, "Data value of the selected point");
+        edit = edit | ui::number("Opacity", at.y, opacities, "Opacity of one opacity distance of the material");
         if (start_ || i >= committed.opacity.points.size()) return;
         if (edit.changed) movePoint(result.function.opacity, i, at);
         if (edit.changed || edit.finished || edit.cancelled) result.edit = edit, result.step = "Edit opacity";
