@@ -25,6 +25,7 @@ struct Ray {
 
 /// The part of the ray within `box`, before the eye left out; nullopt where it misses.
 std::optional<Ray> clipped(const Vec3& origin, const Vec3& direction, const Box3& box) {
+    if (box.empty()) return std::nullopt;
     Ray ray{origin, direction, 0, kInfinity};
     for (int a = 0; a < 3; ++a) {
         if (direction[a] == 0) {

@@ -26,8 +26,8 @@ public:
     Locator(const VolumeGrid& grid, const Mat4& indexFromWorld, const Vec3& rounding)
         : indexFromWorld_(indexFromWorld), rounding_(rounding), last_(Vec3(grid.size - 1)) {
         const Box3 domain = grid.indexDomain();
-        low_ = domain.min - kInsideTolerance;
-        high_ = domain.max + kInsideTolerance;
+        low_ = domain.min - kInsideTolerance - rounding;
+        high_ = domain.max + kInsideTolerance + rounding;
     }
 
     /// x = p's position in index space, clamped to the samples; false outside the domain.

@@ -64,12 +64,10 @@ void CellLocator::buildGrid(const MappedCells& cells) {
         box = {box.min - cells.thickness(), box.max + cells.thickness()};
         bounds_ = join(bounds_, box);
     }
-    if (hexahedra.empty()) {
-        starts_.assign(2, 0);
-        return;
-    }
-    const Vec3 extent =
-        glm::max(bounds_.size(), Vec3(1e-9 * std::max({bounds_.size().x, bounds_.size().y, bounds_.size().z, 1e-300})));
+    const Vec3 size = bounds_.size();
+    const double longest = std::max({size.x, size.y, size.z});
+    if (!(longest > 0)) return fillGrid(resolution_);  // no cells, or all in one point
+    const Vec3 extent = glm::max(size, Vec3(1e-9 * longest));
     double side = std::cbrt(extent.x * extent.y * extent.z / (4 * double(hexahedra.size())));
     for (;; side *= 1.5) {
         for (int a = 0; a < 3; ++a) {
@@ -82,8 +80,7 @@ void CellLocator::buildGrid(const MappedCells& cells) {
             const Index3 count = last - first + 1;
             entries += std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z);
         }
-        const bool smallest = resolution_ == Index3(1);
-        if (smallest || entries <= kEntriesPerHexahedron * hexahedra.size()) break;
+        if (resolution_ == Index3(1) || entries <= kEntriesPerHexahedron * hexahedra.size()) break;
     }
     fillGrid(resolution_);
 }

@@ -22,6 +22,8 @@ const std::array<std::array<int, 4>, 6> kHexahedronTetrahedra{
 
 namespace {
 
+constexpr std::size_t kMaxHexahedra = 50'000'000;  // point location counts in 32 bits
+
 bool finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -46,8 +48,9 @@ void validate(const MappedCells::Data& data) {
                             "cell " + std::to_string(h) + " names vertex " + std::to_string(v) + " of " +
                                 std::to_string(data.deformed.size()),
                             remedy);
-    if (data.hexahedra.size() > std::numeric_limits<std::uint32_t>::max() / 6)
-        throw Error("mapped cells", std::to_string(data.hexahedra.size()) + " cells are too many", "use fewer cells");
+    if (data.hexahedra.size() > kMaxHexahedra)
+        throw Error("mapped cells", std::to_string(data.hexahedra.size()) + " cells are too many",
+                    "use at most " + std::to_string(kMaxHexahedra));
 }
 
 /// Edges of a tetrahedron from its first vertex, as columns.

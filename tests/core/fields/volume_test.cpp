@@ -141,6 +141,7 @@ TEST(Volume, DomainEndsAThousandthOfAVoxelBeyondItsSamples) {
     EXPECT_EQ(valueAt(*volume, {4.0018, 1, 1}), 5);
     EXPECT_TRUE(std::isnan(valueAt(*volume, {4.0022, 1, 1})));
     EXPECT_TRUE(std::isnan(valueAt(*volume, {1, 1, 2.0011})));
+    EXPECT_EQ(valueAt(*volume, {4.002, 2.001, -0.001}), 5) << "just that far, too";
     EXPECT_TRUE(std::isnan(valueAt(*volume, kUndefined)));
     EXPECT_TRUE(std::isnan(valueAt(*volume, {1, kInfinity, 1})));
     EXPECT_EQ(gradientAt(*volume, {-1, 1, 1}), Vec3(0));

@@ -290,6 +290,48 @@ TEST(MappedCells, CellsLyingAllOverEachOtherAreLocatedAllTheSame) {
     EXPECT_EQ(all.size(), 3000u);
 }
 
+TEST(MappedCells, CellsInOnePointAreNowhere) {
+    auto data = gridCells(Frame{}, {2, 2, 2});
+    for (Vec3& p : data.deformed) p = Vec3(0);
+    const MappedCells cells(std::move(data));
+    CellLocation at{};
+    EXPECT_FALSE(cells.locate(Vec3(0), at));
+    EXPECT_TRUE(cells.mayOverlap()) << "undecided, to be safe";
+    for (const double d : cells.determinants()) EXPECT_EQ(d, 0);
+    for (const Mat3& j : cells.jacobians()) EXPECT_EQ(j, Mat3(1));
+}
+
+TEST(MappedCells, SourceBoxesHoldTheSourcesOfABox) {
+    for (const double fold : {1.0, -6.0}) {
+        auto data = gridCells({Vec3(0), {Vec3(10, 0, 0), Vec3(0, 10, 0), Vec3(0, 0, 10)}}, {6, 5, 4});
+        for (Vec3& p : data.deformed) p += fold * Vec3(std::sin(p.y / 3), std::cos(p.z / 4 + 1), std::sin(p.x / 2));
+        const MappedCells cells(std::move(data));
+        Random random(6);
+        std::vector<CellLocation> all;
+        std::size_t checked = 0;
+        for (int n = 0; n < 400; ++n) {
+            const Vec3 corner = cells.bounds().center() + randomVector(random, 8),
+                       side = glm::abs(randomVector(random, 2));
+            std::vector<Box3> boxes;
+            EXPECT_FALSE(cells.anySourceBox({corner, corner + side}, [&](const Box3& box) {
+                boxes.push_back(box);
+                return false;
+            }));
+            for (int i = 0; i < 20; ++i) {
+                all.clear();
+                cells.locateAll(corner + 0.5 * (side + randomVector(random, 1) * side), all);
+                for (const CellLocation& at : all) {
+                    const Vec3 q = cells.sourceAt(at);
+                    EXPECT_TRUE(std::any_of(boxes.begin(), boxes.end(), [&](const Box3& b) { return b.contains(q); }));
+                    ++checked;
+                }
+            }
+            EXPECT_EQ(cells.anySourceBox({corner, corner + side}, [](const Box3&) { return true; }), !boxes.empty());
+        }
+        EXPECT_GT(checked, 1000u);
+    }
+}
+
 TEST(MappedCells, RefuseWhatDoesNotFitTogether) {
     const auto good = gridCells(Frame{}, {1, 1, 1});
     auto data = good;
