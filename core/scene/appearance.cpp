@@ -100,14 +100,17 @@ TransferFunction resolve(const Appearance& appearance, const Volume& volume) {
 
 std::string suggestedPreset(const Volume& volume) {
     const auto& statistics = volume.statistics();
-    const bool signedIntegers = volume.type() == VoxelType::Int16 || volume.type() == VoxelType::Int32;
+    if (!(statistics.max > statistics.min)) return "";
     const bool real = volume.type() == VoxelType::Float || volume.type() == VoxelType::Double;
-    // Air of −1000 HU gives CT away; a scanner's padding lies lower still.
-    if ((signedIntegers || real) && statistics.min <= -900 && statistics.min >= -9000 && statistics.max >= 200)
-        return "ct-skin";
-    if (real && statistics.min >= 0 && statistics.max > 0 && statistics.max <= 100) return "smoke";
-    if (statistics.max > statistics.min) return "grey";
-    return "";
+    const bool mayBeHounsfield = real || volume.type() == VoxelType::Int16 || volume.type() == VoxelType::Int32;
+    // Air of −1000 HU gives CT away; what scanners pad with lies lower still.
+    if (mayBeHounsfield && statistics.min <= -900 && statistics.min >= -9000 && statistics.max >= 200) return "ct-skin";
+    // A fog volume: densities from 0, most of the box clear air.
+    std::uint64_t count = 0;
+    for (const auto bin : statistics.histogram) count += bin;
+    const bool mostlyEmpty = !statistics.histogram.empty() && statistics.histogram.front() > count / 2;
+    if (real && statistics.min == 0 && mostlyEmpty) return "smoke";
+    return "grey";
 }
 
 }  // namespace voledit
