@@ -13,8 +13,9 @@ namespace voledit {
 
 namespace {
 
-/// Bricks of 16³ voxels: smaller ones skip more of what is empty but cost more polygons (measured: render/README.md).
-constexpr int kBrickSide = 16;
+/// Bricks of 8³ voxels: larger ones skip less of what is empty, smaller ones cost more polygons (measured:
+/// render/README.md).
+constexpr int kBrickSide = 8;
 
 /// Voxels around a box that Visibility answers for by itself, less a little for the GPU's rounding.
 constexpr double kAnswered = 0.98;
@@ -22,6 +23,7 @@ constexpr double kAnswered = 0.98;
 /// Whether anything that slabs in `box` reach can be seen, d index / d world having these rows' lengths. Slabs reach
 /// half their extent along the ray to either side, at the domain's faces up to the whole.
 bool canBeSeen(Box3 box, const Vec3& indexPerWorld, double slab, const Box3& domain, const Visibility& visibility) {
+    if (visibility.seesEverything()) return true;
     const Vec3 whole = indexPerWorld * slab;
     const bool inside =
         glm::all(glm::greaterThan(box.min - whole, domain.min)) && glm::all(glm::lessThan(box.max + whole, domain.max));

@@ -35,7 +35,7 @@ struct CellMesh {
     std::size_t cellCount() const { return cellVertices.size() / std::size_t(verticesPerCell()); }
 };
 
-/// Bricks of 16³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
+/// Bricks of 8³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
 /// @param slab  extent of a slab along a ray at most, world units; what is seen there counts too
 CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double slab);
 

@@ -22,7 +22,7 @@ struct SliceOptions {
     bool cull = true;    // leave out cells that cannot be seen
     bool mask = true;    // stop at pixels that are nearly opaque
     int segments = 2;    // steps that one slice stands for: a slab is so many steps thick
-    int subsamples = 4;  // points of each step that are classified, between the scalars at its ends
+    int subsamples = 2;  // points of each step that are classified, between the scalars at its ends
 };
 
 /// Draws compiled scenes with the current GL context. Keeps textures and programs between pictures and uploads only

@@ -4,14 +4,14 @@
 
 namespace voledit {
 
-void SliceResources::prepare(const SlicePlan& plan, bool cull, double slab) {
+void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
     prepareVolume(*plan.volume);
     prepareTable(plan.volume->appearance);
     if (!visibility_) {
         visibility_.emplace(volume_->ranges, table_->table);
         mesh_.reset();
     }
-    prepareMesh(plan, cull, slab);
+    prepareMesh(plan, cull);
 }
 
 void SliceResources::prepareVolume(const VolumeTerm& term) {
@@ -28,27 +28,31 @@ void SliceResources::prepareTable(const TransferFunction& function) {
     if (table_ && table_->min == min && table_->max == max && table_->source == function) return;
     visibility_.reset();
     Tables made{function, min, max, makeTransferTable(function, min, max), {}, {}, {}};
-    made.thickness = makeTable(GL_RG32F, TransferTable::kSize, made.table.thickness);
+    made.thickness = makeTable(GL_R32F, TransferTable::kSize, made.table.thickness);
     made.color = makeTable(GL_RGBA32F, TransferTable::kSize, made.table.color);
     if (!made.table.gradientFactor.empty())
         made.gradient = makeTable(GL_R32F, TransferTable::kSize, made.table.gradientFactor);
     table_ = std::move(made);
 }
 
-void SliceResources::prepareMesh(const SlicePlan& plan, bool cull, double slab) {
+void SliceResources::prepareMesh(const SlicePlan& plan, const CullRequest& cull) {
     const TransferPtr source = plan.forward ? plan.forward->by : nullptr;
     if (mesh_ && mesh_->mapped == (source != nullptr) && mesh_->source.lock() == source &&
         mesh_->worldFromDeformed == plan.worldFromDeformed && mesh_->indexFromSource == plan.indexFromSource &&
-        mesh_->cull == cull && mesh_->slab == slab)
+        mesh_->cull == cull)
         return;
     const Visibility everything;
-    const Visibility& visibility = cull ? *visibility_ : everything;
     const VolumeGrid& grid = plan.volume->volume->grid();
-    CellMesh mesh =
-        source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid, visibility, slab)
-               : brickMesh(grid, glm::inverse(plan.indexFromSource), visibility, slab);
-    mesh_.emplace(
-        Meshes{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, slab, std::move(mesh)});
+    const auto bricks = [&](const Mat4& worldFromSource) {
+        return brickMesh(grid, worldFromSource * glm::inverse(plan.indexFromSource),
+                         cull.bricks ? *visibility_ : everything, cull.slab);
+    };
+    Meshes made{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, {}, {}};
+    made.mesh = source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid,
+                                         cull.cells ? *visibility_ : everything, cull.slab)
+                       : bricks(Mat4(1));
+    if (source && source->outside() == Outside::Keep) made.uncovered = bricks(plan.worldFromDeformed);
+    mesh_ = std::move(made);
 }
 
 void SliceResources::bind() const {

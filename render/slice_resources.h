@@ -13,17 +13,26 @@
 
 namespace voledit {
 
+/// What is left out of the cells, and how far slabs reach.
+struct CullRequest {
+    bool bricks = true, cells = true;  // leave out what cannot be seen
+    double slab = 0;                   // extent of a slab along a ray at most, world units
+
+    bool operator==(const CullRequest&) const = default;
+};
+
 /// Textures, tables, visibility and cells of the term drawn last. `prepare` makes anew only what differs: volumes and
 /// maps are compared by identity, transfer functions and matrices by value.
 class SliceResources {
 public:
-    /// @param cull   false: nothing is left out (for tests)
-    /// @param slab   extent of a slab along a ray at most, world units
-    void prepare(const SlicePlan& plan, bool cull, double slab);
+    void prepare(const SlicePlan& plan, const CullRequest& cull);
 
     const VolumeTexture& volume() const { return volume_->texture; }
     const TransferTable& table() const { return table_->table; }
+    /// The outermost forward map's cells; without one, the volume's bricks.
     const CellMesh& mesh() const { return mesh_->mesh; }
+    /// Bricks of the operand where it stands, for a map that keeps what is outside its cells; else null.
+    const CellMesh* uncovered() const { return mesh_->uncovered ? &*mesh_->uncovered : nullptr; }
     /// Binds the volume and the tables to texture units 0…3: volume, thickness, colour, gradient factor.
     void bind() const;
 
@@ -44,14 +53,14 @@ private:
         std::weak_ptr<const SpatialTransferFunction> source;
         bool mapped;
         Mat4 worldFromDeformed, indexFromSource;
-        bool cull;
-        double slab;
+        CullRequest cull;
         CellMesh mesh;
+        std::optional<CellMesh> uncovered;
     };
 
     void prepareVolume(const VolumeTerm& term);
     void prepareTable(const TransferFunction& function);
-    void prepareMesh(const SlicePlan& plan, bool cull, double slab);
+    void prepareMesh(const SlicePlan& plan, const CullRequest& cull);
 
     std::optional<Volumes> volume_;
     std::optional<Tables> table_;

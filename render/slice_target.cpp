@@ -34,17 +34,24 @@ void SliceTarget::bind() const {
     glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
 }
 
-void SliceTarget::mask(ShaderLibrary& shaders) {
+void SliceTarget::drawWindow(Program& program, const std::array<int, 4>& window) const {
+    program.use();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(window[0], window[1], window[2], window[3]);
+    glBindVertexArray(nothing_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void SliceTarget::mask(ShaderLibrary& shaders, const std::array<int, 4>& window) {
     Program& program = shaders.get({"fullscreen.vert", "mask.frag", {}});
     program.set("accumulated", 0);
     program.set("opaque", kOpaque);
-    program.use();
     glBindTextureUnit(0, color_.name());
     glBindFramebuffer(GL_FRAMEBUFFER, masking_.name());
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
-    glBindVertexArray(nothing_.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    drawWindow(program, window);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Where slices are composited.
 
+#include <array>
+
 #include "render/gl_objects.h"
 #include "render/shader_library.h"
 
@@ -16,8 +18,10 @@ public:
     void start(Index2 size);
     /// Binds it for slices: front-to-back compositing, masked pixels closed.
     void bind() const;
-    /// Masks nearly opaque pixels. Leaves the target unbound.
-    void mask(ShaderLibrary& shaders);
+    /// Draws `program` over `window` of the bound target.
+    void drawWindow(Program& program, const std::array<int, 4>& window) const;
+    /// Masks nearly opaque pixels of `window` (x, y, width, height). Leaves the target unbound.
+    void mask(ShaderLibrary& shaders, const std::array<int, 4>& window);
 
     GLuint texture() const { return color_.name(); }
     Index2 size() const { return size_; }

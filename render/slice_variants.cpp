@@ -1,25 +1,59 @@
 #include "render/slice_variants.h"
 
+#include <algorithm>
+#include <array>
+
 namespace voledit {
 
+namespace {
+std::vector<std::string> commonDefines(const SliceVariant& variant) {
+    std::vector<std::string> defines;
+    if (variant.mapped) defines.push_back("MAPPED");
+    if (variant.shaded) defines.push_back("SHADED");
+    if (variant.gradientOpacity) defines.push_back("GRADIENT_OPACITY");
+    if (variant.realVoxels) defines.push_back("REAL_VOXELS");
+    return defines;
+}
+}  // namespace
+
 ProgramVariant sliceVariant(const SliceVariant& variant) {
-    ProgramVariant program{"slice.vert", "slice.frag", {}};
-    if (variant.mapped) program.defines.push_back("MAPPED");
-    if (variant.shaded) program.defines.push_back("SHADED");
-    if (variant.gradientOpacity) program.defines.push_back("GRADIENT_OPACITY");
-    if (variant.realVoxels) program.defines.push_back("REAL_VOXELS");
+    ProgramVariant program{"slice.vert", "slice.frag", commonDefines(variant)};
     program.defines.push_back("SEGMENTS=" + std::to_string(variant.segments));
     program.defines.push_back("SUBSAMPLES=" + std::to_string(variant.subsamples));
     return program;
 }
 
+ProgramVariant foldVariant(const SliceVariant& variant, Combine combine, int pass, bool cover) {
+    ProgramVariant program{"slice.vert", "fold.frag", commonDefines(variant)};
+    if (cover) program.defines.push_back("COVER");
+    if (combine == Combine::First) program.defines.push_back("FIRST");
+    if (combine == Combine::Merge && pass == 0) program.defines.push_back("ADD");
+    return program;
+}
+
+ProgramVariant foldCompositeVariant(Combine combine) {
+    ProgramVariant program{"fullscreen.vert", "fold_composite.frag", {}};
+    if (combine == Combine::Merge) program.defines.push_back("MERGE");
+    if (combine == Combine::Intersection) program.defines.push_back("INTERSECTION");
+    return program;
+}
+
 std::vector<ProgramVariant> allPrograms() {
     std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}, {"overlay.vert", "overlay.frag", {}}};
-    for (int bits = 0; bits < 16; ++bits)
-        programs.push_back(sliceVariant({.mapped = (bits & 1) != 0,
-                                         .shaded = (bits & 2) != 0,
-                                         .gradientOpacity = (bits & 4) != 0,
-                                         .realVoxels = (bits & 8) != 0}));
+    const std::array<Combine, 4> combines{Combine::Union, Combine::Merge, Combine::Intersection, Combine::First};
+    for (const Combine combine : combines) programs.push_back(foldCompositeVariant(combine));
+    for (int bits = 0; bits < 16; ++bits) {
+        const SliceVariant variant{.mapped = (bits & 1) != 0,
+                                   .shaded = (bits & 2) != 0,
+                                   .gradientOpacity = (bits & 4) != 0,
+                                   .realVoxels = (bits & 8) != 0};
+        programs.push_back(sliceVariant(variant));
+        for (const Combine combine : combines)
+            for (const int pass : {0, 1})
+                for (const bool cover : {false, true}) programs.push_back(foldVariant(variant, combine, pass, cover));
+    }
+    std::sort(programs.begin(), programs.end());
+    programs.erase(std::unique(programs.begin(), programs.end()), programs.end());
     return programs;
 }
 

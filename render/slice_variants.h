@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/objects/term.h"
 #include "render/shader_library.h"
 
 namespace voledit {
@@ -12,10 +13,14 @@ struct SliceVariant {
     bool shaded = true;
     bool gradientOpacity = false;
     bool realVoxels = false;           // voxels may be NaN
-    int segments = 2, subsamples = 4;  // SliceOptions
+    int segments = 2, subsamples = 2;  // SliceOptions
 };
 
 ProgramVariant sliceVariant(const SliceVariant& variant);
+/// The program of one pass over pre-images that combine (fold_target.h).
+/// @param cover  pre-images in which nothing is seen count
+ProgramVariant foldVariant(const SliceVariant& variant, Combine combine, int pass, bool cover);
+ProgramVariant foldCompositeVariant(Combine combine);
 
 /// Every program that the renderers use, for tests that compile them all.
 std::vector<ProgramVariant> allPrograms();

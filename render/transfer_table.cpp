@@ -42,14 +42,16 @@ TransferTable makeTransferTable(const TransferFunction& function, double min, do
     TransferTable table;
     std::tie(table.low, table.high) = changingRange(function, min, max);
     table.visibleBefore_.push_back(0);
-    double integral = 0, before = 0;
     for (int n = 0; n < TransferTable::kSize; ++n) {
         const double value = table.low + (table.high - table.low) * n / (TransferTable::kSize - 1);
         const double thickness = thicknessOf(function.opacity(value));
-        if (n > 0) integral += 0.5 * (before + thickness);
-        before = thickness;
         const Vec3 color = function.color(value);
-        table.thickness.insert(table.thickness.end(), {float(thickness), float(integral)});
+        table.thickness.push_back(float(thickness));
+        if (thickness > 0) {
+            // Interpolation reaches to the neighbouring entries.
+            table.firstVisible = std::min(table.firstVisible, std::max(n - 1.0, 0.0));
+            table.lastVisible = std::min(n + 1.0, TransferTable::kSize - 1.0);
+        }
         table.color.insert(table.color.end(), {float(color.x), float(color.y), float(color.z), 0.0F});
         table.visibleBefore_.push_back(table.visibleBefore_.back() + (thickness > 0));
     }

@@ -14,12 +14,12 @@ struct TransferTable {
     static constexpr int kSize = 4096;
 
     double low = 0, high = 1;
-    /// Optical thickness of one opacity distance, x = −ln(1 − min(O, 0.9999)), and its running integral over the
-    /// table's coordinate (0…kSize−1, trapezoids): pairs.
-    std::vector<float> thickness;
+    std::vector<float> thickness;       // of one opacity distance: −ln(1 − min(O, 0.9999))
     std::vector<float> color;           // RGB and 0
     std::vector<float> gradientFactor;  // over 0 … gradientHigh; empty where there is none
     double gradientHigh = 1;
+    /// Table coordinates (0 … kSize − 1) outside of which nothing is visible; first > last: nothing is at all.
+    double firstVisible = kSize, lastVisible = -1;
 
     /// True if some value in [from, to] has thickness above 0, as the table's linear interpolation gives it.
     bool visible(double from, double to) const;

@@ -28,6 +28,7 @@ public:
     Visibility() = default;
     Visibility(const BrickRanges& ranges, const TransferTable& table);
 
+    bool seesEverything() const { return sums_.empty(); }
     /// True unless every value interpolated within `box` and less than one voxel around it has opacity 0. `box` is in
     /// index space; what lies outside the volume is not visible.
     bool visible(const Box3& box) const;

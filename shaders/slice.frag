@@ -8,40 +8,19 @@
 //             SUBSAMPLES=n      points of each that are classified
 //   out       color             premultiplied by alpha, to be composited under what is there
 #include "common/volume.glsl"
+#include "common/slice_input.glsl"
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
 #include "term/volume_slab.glsl"
 
-in float sliceDepth;
-#ifdef MAPPED
-in vec3 cellIndex;
-in vec3 jacobianX;
-in vec3 jacobianY;
-in vec3 jacobianZ;
-#else
-// Index coordinates at the reference depth, and d index / d depth along the ray, as functions of the window position:
-// [0] + x [1] + y [2].
-uniform mat3 indexAtReference;
-uniform mat3 indexPerDepth;
-uniform mat3 indexFromWorld;  // linear part
-#endif
-// World direction of unit depth through the window position, the same way.
-uniform mat3 rayPerDepth;
-
 layout(location = 0) out vec4 color;
 
 void main() {
-    vec3 window = vec3(1.0, gl_FragCoord.xy);
-    vec3 ray = rayPerDepth * window;
+    vec3 ray, index, perDepth;
+    mat3 jacobian;
+    readSlice(ray, index, perDepth, jacobian);
 #ifdef MAPPED
-    mat3 jacobian = mat3(jacobianX, jacobianY, jacobianZ);
-    vec3 index = cellIndex;
-    vec3 perDepth = jacobian * ray;
     if (!insideVolume(index)) discard;
-#else
-    mat3 jacobian = indexFromWorld;
-    vec3 perDepth = indexPerDepth * window;
-    vec3 index = indexAtReference * window + sliceDepth * perDepth;
 #endif
     color = volumeSlab(index, perDepth, ray, jacobian);
     if (color.a == 0.0) discard;

@@ -1,10 +1,11 @@
 // common/classification.glsl: the transfer function's tables, linear between entries.
 
-uniform sampler1D thicknessTable;  // r: optical thickness of one opacity distance; g: its integral over entries
+uniform sampler1D thicknessTable;  // optical thickness of one opacity distance
 uniform sampler1D colorTable;
 uniform float tableScale;   // entry = raw * tableScale + tableOffset
 uniform float tableOffset;
 uniform float tableSize;
+uniform vec2 visibleEntries;  // none below the first nor above the second has a thickness above 0
 
 float entryOf(float raw) {
     return clamp(raw * tableScale + tableOffset, 0.0, tableSize - 1.0);
@@ -17,8 +18,8 @@ bool isNumber(float raw) {
 }
 #endif
 
-vec2 thicknessAt(float entry) {
-    return textureLod(thicknessTable, (entry + 0.5) / tableSize, 0.0).rg;
+float thicknessAt(float entry) {
+    return textureLod(thicknessTable, (entry + 0.5) / tableSize, 0.0).r;
 }
 
 vec3 colorAt(float entry) {

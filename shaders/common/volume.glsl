@@ -1,7 +1,8 @@
 // common/volume.glsl: a volume by index coordinates; samples stand at whole numbers.
 
 uniform sampler3D volume;
-uniform vec3 volumeLast;  // size - 1
+uniform vec3 volumeLast;    // size - 1
+uniform vec3 texelPerIndex;  // 1 / size
 uniform vec3 domainMin;   // of index coordinates, with the contract's tolerance
 uniform vec3 domainMax;
 
@@ -22,7 +23,7 @@ vec2 domainCrossings(vec3 index, vec3 perDepth) {
 
 // Trilinear, in the texture's own unit.
 float rawAt(vec3 index) {
-    return textureLod(volume, (index + 0.5) / (volumeLast + 1.0), 0.0).r;
+    return textureLod(volume, index * texelPerIndex + 0.5 * texelPerIndex, 0.0).r;
 }
 
 // Differences of one voxel along the index axes, at the volume's faces by the distance that there is: the definition

@@ -1,6 +1,6 @@
 // term/volume_slab.glsl: colour and opacity of a slab of one volume.
 // The scalar is taken at the ends of SEGMENTS equal parts of the slab and is linear between them; each part that is
-// not wholly clear is classified at SUBSAMPLES points and composited front to back. One gradient, at the mean place
+// not certainly clear is classified at SUBSAMPLES points and composited front to back. One gradient, at the mean place
 // of what is seen, lights the slab.
 // Needs common/volume.glsl, classification.glsl, lighting.glsl.
 
@@ -12,8 +12,11 @@ uniform mat3 restFromIndexGradient;  // index gradient to the volume's own world
 // The part of the ray, by depth from the slice, that its slab stands for: half a slab on either side, but at the volume's
 // faces exactly up to the face. The neighbouring slice, which lies outside the volume there, draws nothing.
 vec2 slabExtent(vec3 index, vec3 perDepth) {
+    vec3 reach = abs(slabDepth * perDepth);
+    vec2 middle = vec2(-0.5, 0.5) * slabDepth;
+    if (all(greaterThan(index - reach, domainMin)) && all(lessThan(index + reach, domainMax))) return middle;
     vec2 face = domainCrossings(index, perDepth);
-    return vec2(face.x > -slabDepth ? face.x : -0.5 * slabDepth, face.y < slabDepth ? face.y : 0.5 * slabDepth);
+    return vec2(face.x > -slabDepth ? face.x : middle.x, face.y < slabDepth ? face.y : middle.y);
 }
 
 // index, perDepth  index coordinates on the slice and their change per unit of depth along the ray
@@ -30,42 +33,42 @@ vec4 volumeSlab(vec3 index, vec3 perDepth, vec3 ray, mat3 jacobian) {
     float factor = -1.0;
 #endif
 
-    float raw0 = rawAt(index + extent.x * perDepth);
-    float entry0 = entryOf(raw0);
-    vec2 thick0 = thicknessAt(entry0);
+    float raw[SEGMENTS + 1];
+    float entry[SEGMENTS + 1];
+    float lowest = tableSize;
+    float highest = -1.0;
+    for (int s = 0; s <= SEGMENTS; ++s) {
+        raw[s] = rawAt(index + (extent.x + float(s) * segmentDepth) * perDepth);
+        entry[s] = entryOf(raw[s]);
+        lowest = min(lowest, entry[s]);
+        highest = max(highest, entry[s]);
+    }
+    // Most of space is empty, and most of that is told from the extremes alone.
+    if (highest < visibleEntries.x || lowest > visibleEntries.y) return vec4(0.0);
     for (int s = 0; s < SEGMENTS; ++s) {
-        float depth1 = extent.x + float(s + 1) * segmentDepth;
-        float raw1 = rawAt(index + depth1 * perDepth);
-        float entry1 = entryOf(raw1);
-        vec2 thick1 = thicknessAt(entry1);
-        bool visible = thick0.x > 0.0 || thick1.x > 0.0 || thick0.y != thick1.y;
+        if (max(entry[s], entry[s + 1]) < visibleEntries.x || min(entry[s], entry[s + 1]) > visibleEntries.y) continue;
 #ifdef REAL_VOXELS
-        visible = visible && isNumber(raw0) && isNumber(raw1);
-        raw0 = raw1;
+        if (!isNumber(raw[s]) || !isNumber(raw[s + 1])) continue;
 #endif
-        if (visible) {
-            for (int n = 0; n < SUBSAMPLES; ++n) {
-                float at = (float(n) + 0.5) / float(SUBSAMPLES);
-                float entry = mix(entry0, entry1, at);
-                float thickness = thicknessAt(entry).x;
-                if (thickness > 0.0) {
-                    float depth = depth1 + (at - 1.0) * segmentDepth;
+        for (int n = 0; n < SUBSAMPLES; ++n) {
+            float at = (float(n) + 0.5) / float(SUBSAMPLES);
+            float between = mix(entry[s], entry[s + 1], at);
+            float thickness = thicknessAt(between);
+            if (thickness > 0.0) {
+                float depth = extent.x + (float(s) + at) * segmentDepth;
 #ifdef GRADIENT_OPACITY
-                    if (factor < 0.0)
-                        factor = gradientFactor(
-                            length(restFromIndexGradient * rawDifferencesAt(index + depth * perDepth)) * gradientUnit);
-                    thickness = -log(1.0 - clamp(factor * (1.0 - exp(-thickness)), 0.0, 0.9999));
+                if (factor < 0.0)
+                    factor = gradientFactor(
+                        length(restFromIndexGradient * rawDifferencesAt(index + depth * perDepth)) * gradientUnit);
+                thickness = -log(1.0 - clamp(factor * (1.0 - exp(-thickness)), 0.0, 0.9999));
 #endif
-                    float left = exp(-thickness * sampleLength);
-                    float weight = through * (1.0 - left);
-                    seen += weight * colorAt(entry);
-                    where += weight * depth;
-                    through *= left;
-                }
+                float left = exp(-thickness * sampleLength);
+                float weight = through * (1.0 - left);
+                seen += weight * colorAt(between);
+                where += weight * depth;
+                through *= left;
             }
         }
-        entry0 = entry1;
-        thick0 = thick1;
     }
     float alpha = 1.0 - through;
 #ifdef SHADED

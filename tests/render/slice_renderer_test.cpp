@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/stf/affine.h"
+#include "core/stf/mapped_cells.h"
 #include "tests/render/render_fixtures.h"
 
 namespace voledit {
@@ -259,6 +260,42 @@ TEST(SliceRenderer, LightAndBackgroundMatchRays) {
     scene.render.specular = 0.6;
     expectCloseToRays(scene, 44);
 }
+
+struct FoldCase {
+    Combine combine;
+    Outside outside;
+    bool folds;
+};
+
+class FoldedSlices : public testing::TestWithParam<FoldCase> {};
+
+TEST_P(FoldedSlices, MatchRays) {
+    const FoldCase c = GetParam();
+    TransferFunction appearance = softAppearance();
+    appearance.opacity.points = {{300, 0}, {900, 0.35}};
+    const TermPtr plain = makeVolumeTerm(wavesVolume(24), 0, appearance);
+    Lattice lattice = (c.folds ? foldedLattice(plain->bounds) : bentLattice(plain->bounds))->lattice();
+    if (c.outside == Outside::Keep) {
+        // A lattice about the middle of the volume only.
+        lattice.frame = frameOf({Vec3(-0.6), Vec3(0.7)});
+        for (Vec3& p : lattice.control) p = 0.6 * p;
+    }
+    const auto map = std::make_shared<LatticeMap>(lattice, Index3(8), c.outside);
+    ASSERT_EQ(map->cells()->mayOverlap(), c.folds);
+    for (const bool shading : {false, true}) {
+        const CompiledScene scene = sceneOf(makeTransferTerm(map, plain, c.combine, ""), unitOf(24), shading);
+        // Pre-images combine at single points, so steps are finer than usual.
+        const Picture slices = slicesOf(scene, kSize, {}, 0.25);
+        EXPECT_GE(psnr(slices, raysOf(scene, kSize, 4)), 42) << "shading " << shading;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FoldedSlices,
+    testing::Values(FoldCase{Combine::Union, Outside::Hide, true}, FoldCase{Combine::Merge, Outside::Hide, true},
+                    FoldCase{Combine::Intersection, Outside::Hide, true}, FoldCase{Combine::First, Outside::Hide, true},
+                    FoldCase{Combine::Union, Outside::Keep, false}, FoldCase{Combine::Union, Outside::Keep, true},
+                    FoldCase{Combine::Merge, Outside::Keep, true}, FoldCase{Combine::First, Outside::Keep, true}));
 
 TEST(SliceRenderer, NothingInViewIsAnEmptyPicture) {
     CompiledScene scene = sceneOf(plainTerm(), unitOf(32));

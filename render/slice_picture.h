@@ -1,0 +1,82 @@
+#pragma once
+// One picture under way: which slices of which meshes are drawn with which programs.
+
+#include <memory>
+#include <vector>
+
+#include "core/scene/compile.h"
+#include "render/cell_slicer.h"
+#include "render/fold_target.h"
+#include "render/shader_library.h"
+#include "render/slice_geometry.h"
+#include "render/slice_renderer.h"
+#include "render/slice_resources.h"
+#include "render/slice_target.h"
+
+namespace voledit {
+
+/// What pictures share and keep from one to the next.
+struct SliceWorkshop {
+    explicit SliceWorkshop(const SliceOptions& o);
+
+    SliceOptions options;
+    ShaderLibrary shaders;
+    SliceResources resources;
+    SliceTarget target;
+    FoldTarget fold;
+    SliceGeometry bricks{false}, cells{true};
+    std::vector<SliceBatch> brickBatches, cellBatches;  // kept for their memory
+};
+
+/// Slices of a scene from one camera, drawn in batches of kBatchSlices, front to back. Slices are counted from the
+/// nearest point of all cells, seen or not, so that neither culling nor the size of pieces changes the picture.
+class SlicePicture {
+public:
+    static constexpr int kBatchSlices = 8;
+
+    /// Prepares resources and clears the target. Throws Error for a term that slices cannot draw.
+    SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, Index2 size, double stepScale);
+
+    int batchCount() const { return endBatch_ - firstBatch_; }
+    int batchesDone() const { return nextBatch_ - firstBatch_; }
+    bool done() const { return nextBatch_ >= endBatch_; }
+    /// Draws up to `count` batches; their polygons are made in parallel.
+    void draw(int count);
+
+    const SliceStatistics& statistics() const { return statistics_; }
+
+private:
+    /// The bricks or the cells of this picture.
+    struct Layer {
+        bool mapped;
+        Mat4 indexFromWorld;  // for bricks
+        CellSlicer slicer;
+        SliceGeometry* geometry;
+        std::vector<SliceBatch>* batches;
+        std::array<Program*, 2> programs;  // of the passes
+    };
+
+    void addLayer(const CellMesh& mesh, const Mat4& indexFromWorld, const CompiledScene& scene);
+    Program& programOf(bool mapped, int pass, const CompiledScene& scene);
+    void setUniforms(Program& program, const Layer& layer, const CompiledScene& scene) const;
+    void setCompositeUniforms(const CompiledScene& scene);
+    void layOut();
+    void cut(int count);
+    void drawBatch(int number);
+    void drawFolded(int number);
+
+    SliceWorkshop& workshop_;
+    SlicePlan plan_;
+    View view_;
+    bool folded_ = false;
+    Combine combine_ = Combine::Union;
+    double slabDepth_ = 1;
+    std::vector<Layer> layers_;
+    Program* composite_ = nullptr;
+    double start_ = 0, referenceDepth_ = 0;
+    std::array<int, 4> window_{};
+    int firstBatch_ = 0, nextBatch_ = 0, endBatch_ = 0;
+    SliceStatistics statistics_;
+};
+
+}  // namespace voledit
