@@ -73,6 +73,9 @@ Source dataFileOf(const Source& header, const std::string& written, int line) {
     if (std::mismatch(home.begin(), home.end(), full.begin(), full.end()).first != home.end())
         throw Error(place, "its data file " + inQuotes(written) + " leads out of the header's folder, which is refused",
                     "put the data file itself beside the header");
+    if (!fs::is_regular_file(full, failed))
+        throw Error(place, "its data file " + inQuotes(written) + " is a folder, pipe or device",
+                    "name an ordinary file beside the header");
     return {full, (fs::path(header.name).parent_path() / relative).string()};
 }
 

@@ -1,5 +1,6 @@
 #include "app/io/read_volume.h"
 
+#include "app/io/check_vdb.h"
 #include "app/io/detect.h"
 #include "app/io/module_loader.h"
 #include "app/io/modules/dicom.h"
@@ -43,6 +44,7 @@ void readAnyVolume(const IoRequest& request, VolumeSink& sink) {
         case Format::Vtk:
             return load(source, parseVtk(source), sink);
         case Format::Vdb:
+            checkVdb(source);
             return moduleFunction<decltype(voleditReadVdb)>("voledit-io-vdb.so", "voleditReadVdb")(source, sink);
         case Format::Dicom:
             return readSeries(seriesOfFile(source), sink);

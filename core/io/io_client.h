@@ -41,7 +41,7 @@ struct VolumeFile {
 /// How long the parser may work without any progress before it counts as hung. Both grow with the file (a second for
 /// every 20 MB). Processor time is what tells: a slow disk or a busy machine is not the parser's fault.
 struct IoPatience {
-    double processorSeconds = 8;
+    double processorSeconds = 6;
     double wallSeconds = 60;
 };
 

@@ -11,6 +11,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/io/check_dicom.h"
 #include "app/io/checks.h"
 #include "core/base/error.h"
 #include "core/fields/voxel_type.h"
@@ -22,7 +23,8 @@ namespace {
 const gdcm::Tag kSeries(0x0020, 0x000e), kPosition(0x0020, 0x0032), kOrientation(0x0020, 0x0037),
     kInstance(0x0020, 0x0013), kAcquisition(0x0020, 0x0012), kTime(0x0020, 0x0100), kRows(0x0028, 0x0010),
     kColumns(0x0028, 0x0011), kPixelSpacing(0x0028, 0x0030), kImagerSpacing(0x0018, 0x1164),
-    kSliceSpacing(0x0018, 0x0088), kThickness(0x0018, 0x0050), kIntercept(0x0028, 0x1052), kSlope(0x0028, 0x1053);
+    kSliceSpacing(0x0018, 0x0088), kThickness(0x0018, 0x0050), kIntercept(0x0028, 0x1052), kSlope(0x0028, 0x1053),
+    kPixels(0x7fe0, 0x0010);
 
 /// Numbers separated by backslashes.
 std::vector<double> numbers(const char* text) {
@@ -225,6 +227,8 @@ const gdcm::Image& SeriesReader::open(const Source& file, gdcm::ImageReader& rea
     reader.SetFileName(file.path.c_str());
     if (!reader.Read())
         throw Error(file.name, "its DICOM picture cannot be read", "the file is damaged or cut off: export it anew");
+    const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+    if (data.FindDataElement(kPixels)) checkPixelData(file, data.GetDataElement(kPixels).GetVL());
     return reader.GetImage();
 }
 
