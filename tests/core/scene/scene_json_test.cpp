@@ -1,0 +1,499 @@
+#include "core/scene/scene_json.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/base/error.h"
+#include "core/base/paths.h"
+#include "core/scene/edits.h"
+#include "tests/support/fixtures.h"
+
+namespace voledit {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const fs::path kPath = "/somewhere/s.voledit";
+
+Scene read(const std::string& text) {
+    return sceneFromJson(text, kPath);
+}
+
+/// A scene with `root`, an asset "h", an object "o" that shows it, and more top-level members.
+std::string sceneWith(const std::string& root, const std::string& more = "") {
+    return R"({"voledit": 1, "assets": {"h": {"kind": "volume", "path": "h.nrrd"}}, )" + more + R"("root": )" + root +
+           "}";
+}
+std::string transferBy(const std::string& stf, const std::string& more = "") {
+    return sceneWith(R"({"type": "transfer", "by": )" + stf + R"(, "of": {"type": "volume", "asset": "h"}})", more);
+}
+const std::string kVolume = R"({"type": "volume", "asset": "h"})";
+
+// ---- Reading ------------------------------------------------------------------------------------------------------
+
+TEST(SceneFromJson, ReadsTheExampleOfTheContract) {
+    const Scene scene = read(R"({
+      "voledit": 1,
+      "assets": { "head": { "kind": "volume", "path": "ct-head.nrrd" },
+                  "walk": { "kind": "motion", "path": "walk.bvh" } },
+      "objects": { "skull": { "type": "volume", "asset": "head", "appearance": { "preset": "ct-bone" } } },
+      "transfers": { "pull": { "type": "ffd", "degree": [3, 3, 3],
+                               "move": [ { "point": [3, 3, 3], "by": [20, 0, 10] } ] } },
+      "root": { "type": "transfer", "by": [ { "use": "pull" } ], "of": { "use": "skull" } },
+      "opacityDistance": 1.0,
+      "camera": { "eye": [0, -400, 80], "target": [0, 0, 0], "up": [0, 0, 1], "fovY": 30 },
+      "render": { "background": [0, 0, 0], "step": 0.5, "shading": true, "ambient": 0.3, "diffuse": 0.7,
+                  "specular": 0.2, "shininess": 20, "light": "headlight" },
+      "timeline": { "fps": 24, "start": 0, "end": 48 } })");
+    EXPECT_EQ(scene.assets.at("walk").kind, AssetKind::Motion);
+    const auto& pull = std::get<FfdTransfer>(scene.transfers.at("pull")->kind);
+    EXPECT_EQ(pull.points, Index3(4));
+    EXPECT_EQ(pull.cells, Index3(16));
+    ASSERT_EQ(pull.moves.size(), 1u);
+    EXPECT_EQ(pull.moves.at(63), (FfdTransfer::Move{{20, 0, 10}, false}));
+    EXPECT_EQ(scene.opacityDistance, 1.0);
+    EXPECT_EQ(scene.camera, (Camera{{0, -400, 80}, {0, 0, 0}, {0, 0, 1}, 30}));
+    EXPECT_EQ(scene.render, RenderSettings{}) << "the example's values are the defaults";
+    EXPECT_EQ(scene.timeline, Timeline{});
+    EXPECT_EQ(std::get<TransferObject>(scene.root->kind).combine, Combine::Union);
+}
+
+TEST(SceneFromJson, MembersLeftOutTakeTheContractsDefaults) {
+    const Scene scene = read(sceneWith(kVolume, R"("camera": {"fovY": 40}, "render": {"step": 1}, )"));
+    EXPECT_EQ(scene.camera, (Camera{{0, -400, 80}, {0, 0, 0}, {0, 0, 1}, 40}));
+    RenderSettings expected;
+    expected.step = 1;
+    EXPECT_EQ(scene.render, expected);
+    EXPECT_EQ(read(sceneWith(kVolume)).camera, std::nullopt);
+    EXPECT_EQ(read(sceneWith(kVolume)).opacityDistance, std::nullopt);
+}
+
+TEST(SceneFromJson, ReadsEveryFormOfWhatIsBuilt) {
+    const Scene scene = read(transferBy(R"([
+        {"type": "affine", "matrix": [1, 0, 0, 10, 0, 0, -1, 20, 0, 1, 0, 30, 0, 0, 0, 1], "name": "turn"},
+        {"type": "affine", "translate": [1, 2, 3], "rotate": [0, 0, 90], "scale": 2, "amount": 0.5, "enabled": false},
+        {"type": "ffd", "basis": "bspline", "points": [4, 5, 6], "cells": [2, 3, 4], "outside": "keep",
+         "frame": {"min": [0, 0, 0], "max": [1, 2, 3]}, "move": [{"point": [1, 2, 3], "to": [7, 8, 9]}]},
+        {"type": "ffd", "degree": [1, 1, 1], "frame": {"corner": [1, 1, 1], "x": [2, 0, 0], "y": [1, 2, 0], "z": [0, 0, 2]},
+         "control": [[0,0,0], [1,0,0], [0,1,0], [1,1,0], [0,0,1], [1,0,1], [0,1,1], [1,1,2]]}])"));
+    const auto& by = std::get<TransferObject>(scene.root->kind).by;
+    ASSERT_EQ(by.size(), 4u);
+    const Mat4 matrix = worldFromRest(std::get<AffineTransfer>(by[0]->kind).placement);
+    EXPECT_EQ(transformPoint(matrix, {1, 2, 3}), Vec3(11, 17, 32)) << "row by row, q to p";
+    EXPECT_EQ(by[0]->name, "turn");
+    EXPECT_EQ(std::get<AffineTransfer>(by[1]->kind).placement.scale, Vec3(2));
+    EXPECT_FALSE(by[1]->enabled);
+    EXPECT_EQ(by[1]->amount, 0.5);
+    const auto& spline = std::get<FfdTransfer>(by[2]->kind);
+    EXPECT_EQ(spline.points, Index3(4, 5, 6));
+    EXPECT_EQ(spline.moves.at(1 + 4 * (2 + 5 * 3)), (FfdTransfer::Move{{7, 8, 9}, true}));
+    EXPECT_EQ(by[2]->outside, Outside::Keep);
+    EXPECT_EQ(by[2]->frame, frameOf({{0, 0, 0}, {1, 2, 3}}));
+    EXPECT_EQ(std::get<FfdTransfer>(by[3]->kind).moves.at(7), (FfdTransfer::Move{{1, 1, 2}, true}));
+    EXPECT_EQ(by[3]->frame->edge[1], Vec3(1, 2, 0));
+}
+
+// ---- Bad scenes ---------------------------------------------------------------------------------------------------
+
+struct BadScene {
+    std::string text, pointer, cause, remedy;
+};
+
+std::vector<BadScene> badScenes() {
+    const std::string tooDeep = [] {
+        std::string objects;
+        for (int i = 0; i < 2000; ++i) {
+            const std::string of = i ? "{\"use\": \"o" + std::to_string(i - 1) + "\"}" : kVolume;
+            objects += (i ? ", " : "") + ("\"o" + std::to_string(i)) + R"(": {"type": "place", "of": )" + of + "}";
+        }
+        return sceneWith(R"({"use": "o1999"})", "\"objects\": {" + objects + "}, ");
+    }();
+    return {
+        {R"({"voledit": 2, "root": {"use": "a"}})", "/voledit", "format version 2", "understands 1"},
+        {R"({"voledit": "1", "root": {"use": "a"}})", "/voledit", "format version \"1\"", ""},
+        {R"({"root": {"use": "a"}})", "/", "\"voledit\": 1 is missing", ""},
+        {"[]", "/", "found a list of 0, expected a scene", ""},
+        {sceneWith(R"({"use": "skul"})", R"("objects": {"skull": )" + kVolume + "}, "), "/root/use",
+         "no object \"skul\"", "did you mean \"skull\"?"},
+        {transferBy(R"({"use": "pull"})"), "/root/by/use", "no transfer \"pull\"", "define it in `transfers`"},
+        {sceneWith(R"({"type": "volume", "asset": "g"})"), "/root/asset", "no asset \"g\"", "did you mean \"h\"?"},
+        {R"({"voledit": 1, "assets": {"m": {"kind": "motion", "path": "m.bvh"}},
+             "root": {"type": "volume", "asset": "m"}})",
+         "/root/asset", "not of kind \"volume\"", ""},
+        {sceneWith(R"({"use": "a"})",
+                   R"("objects": {"a": {"use": "b"}, "b": {"type": "place", "of": {"use": "a"}}}, )"),
+         "/objects/a", "a cycle: it uses itself (a → b → a)", "break the circle"},
+        {sceneWith(kVolume, R"("objects": {"a": {"use": "a"}}, )"), "/objects/a", "a cycle", ""},
+        {transferBy(R"({"use": "s"})", R"("transfers": {"s": {"use": "t"}, "t": {"use": "s"}}, )"), "/transfers/s",
+         "a cycle", ""},
+        {tooDeep, "/objects/o", "deeper than 1000 levels", "fewer levels"},
+        {transferBy(R"({"type": "ffd", "cells": [1000, 1000, 1000]})"), "/root/by/cells", "1000000000 cells",
+         "fewer cells"},
+        {transferBy(R"([{"type": "ffd", "cells": [150, 150, 150]}, {"type": "ffd", "cells": [150, 150, 150]}])"),
+         "/root/by/1/cells", "6750000 cells", ""},
+        {transferBy(R"({"type": "ffd", "basis": "bspline", "points": [1000, 1000, 1000]})"), "/root/by",
+         "control points", "fewer points"},
+        {transferBy(R"({"type": "ffd", "move": [{"point": [4, 0, 0], "by": [0, 0, 1]}]})"), "/root/by/move/0/point/0",
+         "control points 0 to 3 along x", ""},
+        {transferBy(R"({"type": "ffd", "move": [{"point": [1, 0, 0], "by": [0, 0, 1]},
+                                                {"point": [1, 0, 0], "to": [0, 0, 1]}]})"),
+         "/root/by/move/1", "moved twice", "join"},
+        {transferBy(R"({"type": "ffd", "control": [[0, 0, 0]]})"), "/root/by/control", "found a list of 1",
+         "every control point"},
+        {transferBy(R"({"type": "ffd", "frame": {"min": [0, 0, 0], "max": [1, 0, 1]}})"), "/root/by/frame",
+         "not above its min along y", ""},
+        {transferBy(
+             R"({"type": "ffd", "frame": {"corner": [0, 0, 0], "x": [1, 0, 0], "y": [1, 0, 0], "z": [0, 0, 1]}})"),
+         "/root/by/frame", "flat", "independent edges"},
+        {transferBy(R"({"type": "affine", "scale": [1, 0, 1]})"), "/root/by", "flattens space", "scale"},
+        {transferBy(R"({"type": "affine", "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 1]})"),
+         "/root/by/matrix", "last row", "affine matrix"},
+        {sceneWith(R"({"type": "place", "matrix": [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1], "of": )" + kVolume +
+                   "}"),
+         "/root", "flattens space", "determinant"},
+        {sceneWith(R"({"type": "volume", "asset": "h", "appearance": {"preset": "ct-bones"}})"),
+         "/root/appearance/preset", "no appearance preset", "did you mean \"ct-bone\"?"},
+        {sceneWith(R"({"type": "volume", "asset": "h", "appearance": {"opacity": [[1, 0], [0, 1]]}})"),
+         "/root/appearance/opacity/1", "decrease", "sort"},
+        {sceneWith(R"({"type": "volume", "asset": "h", "appearance": {"preset": "ct-bone", "opacity": [[0, 1]]}})"),
+         "/root/appearance", "preset together with tables", "keep one"},
+        {sceneWith(kVolume, R"("camera": {"eye": [0, 0, 0]}, )"), "/camera", "one point", "move"},
+        {sceneWith(kVolume, R"("camera": {"up": [0, 0, 0]}, )"), "/camera/up", "vector 0", ""},
+        {sceneWith(kVolume, R"("timeline": {"start": 10, "end": 10}, )"), "/timeline", "not after its start",
+         "exclusive"},
+        // Types of the contract that this version has not built.
+        {sceneWith(R"({"type": "solid", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "color": [1, 1, 1],
+                       "opacity": 1})"),
+         "/root", "\"solid\" are not built yet in this version", "use volume"},
+        {sceneWith(R"({"type": "union", "of": [)" + kVolume + ", " + kVolume + "]}"), "/root",
+         "\"union\" are not built yet", ""},
+        {transferBy(R"({"type": "twist", "axis": "z", "angle": 30})"), "/root/by/type", "\"twist\" are not built yet",
+         "affine or ffd"},
+        {transferBy(R"({"type": {"file": "ripple.stf"}})"), "/root/by/type", "formula files are not built yet", ""},
+        {transferBy(R"({"type": "fdd"})"), "/root/by/type", "no type of transfer that voledit knows",
+         "did you mean \"ffd\"?"},
+        {sceneWith(kVolume, R"("displacements": {"d": {"type": "of", "transfer": {"type": "ffd"}}}, )"),
+         "/displacements/d", "displacements are not built yet", ""},
+        {sceneWith(R"({"type": "volume", "asset": "h", "interpolation": "cubic"})"), "/root/interpolation",
+         "\"cubic\" are not built yet", "\"linear\""},
+        {sceneWith(kVolume, R"("opacityDistance": {"keys": [[0, 1]]}, )"), "/opacityDistance",
+         "tracks are not built yet", "plain value"},
+        {transferBy(R"({"type": "ffd", "move": [{"point": [0, 0, 0], "by": {"keys": [[0, [1, 2, 3]]]}}]})"),
+         "/root/by/move/0/by", "tracks are not built yet", ""},
+        {transferBy(R"({"type": "ffd", "move": [{"point": [0, 0, 0], "by": [1, {"keys": [[0, 3]]}, 0]}]})"),
+         "/root/by/move/0/by/1", "tracks are not built yet", ""},
+    };
+}
+
+TEST(BadScenes, AreRefusedWithFilePlaceCauseAndRemedy) {
+    for (const auto& [text, pointer, cause, remedy] : badScenes()) {
+        try {
+            read(text);
+            ADD_FAILURE() << "accepted: " << text.substr(0, 300);
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith(kPath.string() + ": " + pointer));
+            EXPECT_THAT(error.what(), AllOf(HasSubstr(cause), HasSubstr(remedy)));
+        }
+    }
+}
+
+TEST(BadScenes, HalfOfAnyFileIsAnErrorNotACrash) {
+    const std::string text = transferBy(R"([{"use": "p"}, {"type": "affine", "scale": [1, 2, 3]}])",
+                                        R"("transfers": {"p": {"type": "ffd", "control": []}}, )");
+    for (std::size_t n = 0; n < text.size(); ++n) EXPECT_THROW(read(text.substr(0, n)), Error) << n;
+}
+
+TEST(BadScenes, DamagedBytesAreAnErrorOrASceneNeverACrash) {
+    const std::string text =
+        transferBy(R"([{"type": "ffd", "degree": [2, 2, 2], "move": [{"point": [1, 1, 1], "by": [1, 2, 3]}]}])",
+                   R"("camera": {"eye": [1, 2, 3]}, "render": {"light": [1, 0, 0]}, )");
+    std::mt19937 random(3);
+    int refused = 0;
+    for (int trial = 0; trial < 20'000; ++trial) {
+        std::string damaged = text;
+        for (int n = 0; n < 1 + trial % 3; ++n)
+            damaged[random() % damaged.size()] =
+                trial % 2 ? char(random() % 256) : "0123456789.-eE[]{}\",: "[random() % 22];
+        try {
+            read(damaged);
+        } catch (const Error&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 10'000);
+}
+
+// ---- Assets' paths ------------------------------------------------------------------------------------------------
+
+std::string sceneOfPath(const std::string& path) {
+    return json{
+        {"voledit", 1}, {"assets", {{"h", {{"kind", "volume"}, {"path", path}}}}}, {"root", json::parse(kVolume)}}
+        .dump();
+}
+
+TEST(AssetPaths, StayAtOrBelowTheScenesFolder) {
+    const fs::path folder = test::scratchFolder();
+    fs::create_directory(folder / "scenes");
+    std::ofstream(folder / "outside.nrrd") << "x";
+    fs::create_symlink(folder / "outside.nrrd", folder / "scenes" / "link.nrrd");
+    fs::create_symlink(folder, folder / "scenes" / "up");
+    const fs::path scene = folder / "scenes" / "s.voledit";
+    for (const char* good : {"a.nrrd", "deep/er/a.nrrd", "./a.nrrd", "slices_%03d.png", "..a", "."})
+        EXPECT_NO_THROW(sceneFromJson(sceneOfPath(good), scene)) << good;
+    for (const char* bad : {"../outside.nrrd", "deep/../../x", "..", "/etc/passwd", "link.nrrd", "up/outside.nrrd"}) {
+        EXPECT_THAT([&] { sceneFromJson(sceneOfPath(bad), scene); },
+                    ThrowsMessage<Error>(AllOf(HasSubstr("/assets/h/path"), HasSubstr("--allow-outside"))))
+            << bad;
+        EXPECT_NO_THROW(sceneFromJson(sceneOfPath(bad), scene, {.allowOutside = true})) << bad;
+    }
+    EXPECT_THROW(sceneFromJson(sceneOfPath(std::string("a\0b", 3)), scene, {.allowOutside = true}), Error);
+}
+
+TEST(AssetPaths, OfScenesInResourcesReachAllOfResources) {
+    const fs::path scene = resourceFolder() / "scenes" / "s.voledit";
+    EXPECT_NO_THROW(sceneFromJson(sceneOfPath("../volumes/a.nrrd"), scene));
+    EXPECT_THROW(sceneFromJson(sceneOfPath("../../a.nrrd"), scene), Error);
+    EXPECT_THROW(sceneFromJson(sceneOfPath("/etc/passwd"), scene), Error);
+}
+
+TEST(AssetPath, IsSeenFromTheScenesFolder) {
+    EXPECT_EQ(assetPath({AssetKind::Volume, "a/../b.nrrd"}, "/data"), "/data/b.nrrd");
+    EXPECT_EQ(assetPath({AssetKind::Volume, "/x/b.nrrd"}, "/data"), "/x/b.nrrd");
+}
+
+// ---- There and back -----------------------------------------------------------------------------------------------
+
+/// Random scenes of everything that is built.
+class RandomScenes {
+public:
+    explicit RandomScenes(unsigned seed) : random_(seed) {}
+
+    Scene next() {
+        Scene scene;
+        scene.assets["a \"é\" /~"] = {AssetKind::Volume, "dir/ü.nrrd"};
+        scene.assets["b"] = {AssetKind::Motion, "walk.bvh"};
+        scene.assets["c"] = {AssetKind::Images, "c.png"};
+        scene.transfers["t"] = transfer(false);
+        scene.transfers["t 2"] = transfer(false);
+        Transfer alias;
+        alias.kind = TransferUse{"t"};
+        scene.transfers["u"] = alias;
+        scene.objects["o"] = object(3, false);
+        scene.root = object(6, true);
+        if (chance()) scene.opacityDistance = std::abs(number()) + 1e-3;
+        if (chance())
+            scene.camera = Camera{vector(), vector() + Vec3(1e4), vector() + Vec3(0, 0, 2e3), 1 + unit() * 170};
+        scene.render.step = unit() + 0.01;
+        scene.render.background = {unit(), unit(), unit()};
+        scene.render.shading = chance();
+        if (chance()) scene.render.light = vector() + Vec3(0, 0, 2e3);
+        scene.timeline = {1 + unit() * 100, int(random_() % 100), 100 + int(random_() % 100)};
+        return scene;
+    }
+
+private:
+    double unit() { return std::uniform_real_distribution<double>(0, 1)(random_); }
+    bool chance() { return random_() % 2 == 0; }
+    double number() { return chance() ? double(int(random_() % 200) - 100) : (unit() - 0.5) * 2000; }
+    Vec3 vector() { return {number(), number(), number()}; }
+
+    Placement placement() {
+        Placement placement;
+        if (random_() % 4 == 0) {
+            Mat4 m(1);
+            for (int c = 0; c < 4; ++c)
+                for (int r = 0; r < 3; ++r) m[c][r] += c == r ? 5 + unit() : unit();
+            placement.matrix = m;
+            return placement;
+        }
+        if (chance()) placement.translate = vector();
+        if (chance()) placement.rotate = vector();
+        if (chance()) placement.scale = chance() ? Vec3(unit() + 0.1) : Vec3(unit() + 0.1, -unit() - 0.1, 2);
+        return placement;
+    }
+
+    Transfer transfer(bool mayUse) {
+        Transfer transfer;
+        if (mayUse && chance()) {
+            const char* names[] = {"t", "t 2", "u"};
+            transfer.kind = TransferUse{names[random_() % 3]};
+            return transfer;
+        }
+        if (chance()) {
+            transfer.kind = AffineTransfer{placement()};
+        } else {
+            FfdTransfer ffd;
+            ffd.basis = chance() ? LatticeBasis::Bezier : LatticeBasis::BSpline;
+            const int fewest = ffd.basis == LatticeBasis::Bezier ? 2 : 4;
+            for (int a = 0; a < 3; ++a) ffd.points[a] = fewest + int(random_() % 4);
+            for (int a = 0; a < 3; ++a) ffd.cells[a] = 1 + int(random_() % 20);
+            const auto count = std::size_t(ffd.points.x * ffd.points.y * ffd.points.z);
+            const int how = int(random_() % 3);
+            for (std::size_t i = 0; i < count; ++i)
+                if (how == 2 || (how == 1 && chance())) ffd.moves[i] = {vector(), how == 2 || chance()};
+            transfer.kind = ffd;
+        }
+        if (chance()) transfer.name = "name " + std::to_string(random_() % 100);
+        if (chance()) {
+            const Vec3 corner = vector();
+            transfer.frame = chance()
+                                 ? frameOf({corner, corner + Vec3(unit() + 0.1, unit() + 0.1, 1e3 * unit() + 1)})
+                                 : Frame{corner, {Vec3(1, unit(), 0), Vec3(0, -1 - unit(), 0), Vec3(0, unit(), 2)}};
+        }
+        if (chance()) transfer.outside = chance() ? Outside::Keep : Outside::Hide;
+        transfer.enabled = chance();
+        if (chance()) transfer.amount = unit();
+        return transfer;
+    }
+
+    Appearance appearance() {
+        Appearance result;
+        if (random_() % 3 == 0) {
+            result.preset = "ct-bone";
+        } else {
+            double x = number();
+            if (chance()) result.opacity = PiecewiseLinear{{{x, unit()}, {x, unit()}, {x += unit(), unit()}}};
+            if (chance()) result.color = ColorTable{{{x, {unit(), 0, 1}}, {x + 1, {unit(), unit(), unit()}}}};
+        }
+        if (chance()) result.gradientOpacity = PiecewiseLinear{{{0, unit()}, {unit(), 1}}};
+        return result;
+    }
+
+    Object object(int depth, bool mayUse) {
+        switch (depth > 0 ? random_() % 4 : 0) {
+            case 1: {
+                PlaceObject place{placement(), object(depth - 1, mayUse)};
+                return Object{place};
+            }
+            case 2: {
+                TransferObject transfers;
+                for (auto n = random_() % 4; n > 0; --n) transfers.by.emplace_back(transfer(true));
+                transfers.of = object(depth - 1, mayUse);
+                transfers.combine = Combine(random_() % 4);
+                return Object{transfers};
+            }
+            case 3:
+                if (mayUse) return Object{ObjectUse{"o"}};
+                [[fallthrough]];
+            default:
+                return Object{VolumeObject{"a \"é\" /~", int(random_() % 3), appearance()}};
+        }
+    }
+
+    std::mt19937 random_;
+};
+
+TEST(SceneToJson, GivesEqualScenesBack) {
+    RandomScenes scenes(17);
+    for (int trial = 0; trial < 500; ++trial) {
+        const Scene scene = scenes.next();
+        const std::string text = sceneToJson(scene);
+        ASSERT_EQ(read(text), scene) << text;
+        ASSERT_EQ(sceneToJson(read(text)), text);
+    }
+}
+
+TEST(SceneToJson, KeepsTheContractsOrderAndForms) {
+    Scene scene = sceneOfVolume("h.nrrd", "h", "ct-bone");
+    addLattice(scene, "pull", {}, frameOf({{0, 0, 0}, {1, 2, 3}}));
+    moveControlPoints(scene, "pull", {63}, {20, 0, 10});
+    scene.opacityDistance = 1;
+    scene.camera = Camera{};
+    const std::string text = sceneToJson(scene);
+    std::size_t last = 0;
+    for (const char* member : {"\"voledit\"", "\"assets\"", "\"objects\"", "\"transfers\"", "\"root\"",
+                               "\"opacityDistance\"", "\"camera\"", "\"render\"", "\"timeline\""}) {
+        const std::size_t at = text.find(member);
+        ASSERT_NE(at, std::string::npos) << member;
+        EXPECT_GT(at, last) << member;
+        last = at;
+    }
+    EXPECT_THAT(text, HasSubstr(R"("move": [{ "point": [3, 3, 3], "by": [20, 0, 10] }])"));
+    EXPECT_THAT(text, HasSubstr(R"("frame": { "min": [0, 0, 0], "max": [1, 2, 3] })"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("control")));
+    auto& ffd = std::get<FfdTransfer>(scene.transfers.at("pull").edit().kind);
+    for (std::size_t i = 0; i < 64; ++i) ffd.moves[i] = {Vec3(double(i)), true};
+    EXPECT_THAT(sceneToJson(scene), AllOf(HasSubstr("\"control\""), testing::Not(HasSubstr("\"move\""))));
+}
+
+// ---- Files --------------------------------------------------------------------------------------------------------
+
+TEST(LoadScene, NamesFilesThatCannotBeRead) {
+    const fs::path folder = test::scratchFolder();
+    EXPECT_THAT([&] { loadScene(folder / "none.voledit"); },
+                ThrowsMessage<Error>(AllOf(HasSubstr("none.voledit"), HasSubstr("no such file"))));
+    EXPECT_THAT([&] { loadScene(folder); }, ThrowsMessage<Error>(HasSubstr("not a file")));
+    EXPECT_THAT([&] { loadScene("/dev/zero"); }, ThrowsMessage<Error>(HasSubstr("not a file")));
+    std::ofstream(folder / "empty.voledit");
+    EXPECT_THAT([&] { loadScene(folder / "empty.voledit"); }, ThrowsMessage<Error>(HasSubstr("empty")));
+    std::ofstream(folder / "big.voledit");
+    fs::resize_file(folder / "big.voledit", std::uintmax_t(300) << 20);
+    EXPECT_THAT([&] { loadScene(folder / "big.voledit"); }, ThrowsMessage<Error>(HasSubstr("300 MiB")));
+    std::ofstream(folder / "binary.voledit") << std::string(1000, '\x01');
+    EXPECT_THAT([&] { loadScene(folder / "binary.voledit"); }, ThrowsMessage<Error>(HasSubstr("not JSON")));
+}
+
+TEST(SaveScene, ReadsBackAndRewritesPathsForTheNewFolder) {
+    const fs::path folder = test::scratchFolder();
+    fs::create_directories(folder / "scenes" / "data");
+    const Scene scene = sceneOfVolume("data/h.nrrd", "h", "ct-bone");
+    saveScene(scene, folder / "scenes" / "s.voledit", folder / "scenes");
+    EXPECT_EQ(loadScene(folder / "scenes" / "s.voledit"), scene);
+
+    saveScene(scene, folder / "above.voledit", folder / "scenes");
+    EXPECT_EQ(loadScene(folder / "above.voledit").assets.at("h").path, "scenes/data/h.nrrd");
+
+    const fs::path elsewhere = test::scratchFolder();
+    saveScene(scene, elsewhere / "s.voledit", folder / "scenes");
+    const Scene outside = loadScene(elsewhere / "s.voledit", {.allowOutside = true});
+    EXPECT_EQ(outside.assets.at("h").path, (folder / "scenes/data/h.nrrd").string());
+    saveScene(outside, elsewhere / "s.voledit", elsewhere);
+    EXPECT_EQ(loadScene(elsewhere / "s.voledit", {.allowOutside = true}), outside) << "outside paths are kept";
+    saveScene(outside, folder / "back.voledit", elsewhere);
+    EXPECT_EQ(loadScene(folder / "back.voledit").assets.at("h").path, "scenes/data/h.nrrd");
+}
+
+TEST(SaveScene, KeepsPathsWithDotsInTheirOwnFolder) {
+    const fs::path folder = test::scratchFolder();
+    const Scene scene = sceneOfVolume("../h.nrrd", "h", "");
+    saveScene(scene, folder / "s.voledit", folder);
+    EXPECT_EQ(loadScene(folder / "s.voledit", {.allowOutside = true}), scene);
+}
+
+TEST(SaveScene, AFailureLeavesTheOldFileAndNothingBeside) {
+    const fs::path folder = test::scratchFolder();
+    Scene scene = sceneOfVolume("h.nrrd", "h", "");
+    saveScene(scene, folder / "s.voledit", folder);
+    Scene wrong = scene;
+    wrong.opacityDistance = kNaN;
+    EXPECT_THROW(saveScene(wrong, folder / "s.voledit", folder), Error);
+    EXPECT_EQ(loadScene(folder / "s.voledit"), scene);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+    EXPECT_THAT([&] { saveScene(scene, folder / "none" / "s.voledit", folder); },
+                ThrowsMessage<Error>(HasSubstr("folder does not exist")));
+    EXPECT_THAT([&] { saveScene(scene, folder, folder); }, ThrowsMessage<Error>(HasSubstr("it is a folder")));
+}
+
+TEST(SaveScene, KeepsPermissionsAndLinks) {
+    const fs::path folder = test::scratchFolder();
+    const Scene scene = sceneOfVolume("h.nrrd", "h", "");
+    saveScene(scene, folder / "s.voledit", folder);
+    fs::permissions(folder / "s.voledit", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink(folder / "s.voledit", folder / "link.voledit");
+    saveScene(sceneOfVolume("other.nrrd", "h", ""), folder / "link.voledit", folder);
+    EXPECT_TRUE(fs::is_symlink(folder / "link.voledit"));
+    EXPECT_EQ(loadScene(folder / "s.voledit").assets.at("h").path, "other.nrrd");
+    EXPECT_EQ(fs::status(folder / "s.voledit").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+}  // namespace
+}  // namespace voledit
