@@ -1,7 +1,7 @@
 // term/volume_slab.glsl: colour and opacity of a slab of one volume.
 // The scalar is taken at the ends of SEGMENTS equal parts of the slab and is linear between them; each part that is
-// not certainly clear is classified at SUBSAMPLES points and composited front to back. One gradient, at the mean place
-// of what is seen, lights the slab.
+// not certainly clear is classified at SUBSAMPLES points, composited front to back, and lit by the gradient at the mean
+// place of what is seen of it.
 // Needs common/volume.glsl, classification.glsl, lighting.glsl.
 
 uniform float slabDepth;        // extent of a slab along the view axis, world units
@@ -28,7 +28,6 @@ vec4 volumeSlab(vec3 index, vec3 perDepth, vec3 ray, mat3 jacobian) {
     float sampleLength = segmentDepth * length(ray) / float(SUBSAMPLES) / opacityDistance;
     vec3 seen = vec3(0.0);
     float through = 1.0;
-    float where = 0.0;  // sum of depth by what is seen
 #ifdef GRADIENT_OPACITY
     float factor = -1.0;
 #endif
@@ -50,6 +49,9 @@ vec4 volumeSlab(vec3 index, vec3 perDepth, vec3 ray, mat3 jacobian) {
 #ifdef REAL_VOXELS
         if (!isNumber(raw[s]) || !isNumber(raw[s + 1])) continue;
 #endif
+        vec3 part = vec3(0.0);
+        float before = through;
+        float where = 0.0;  // sum of depth by what is seen
         for (int n = 0; n < SUBSAMPLES; ++n) {
             float at = (float(n) + 0.5) / float(SUBSAMPLES);
             float between = mix(entry[s], entry[s + 1], at);
@@ -64,19 +66,20 @@ vec4 volumeSlab(vec3 index, vec3 perDepth, vec3 ray, mat3 jacobian) {
 #endif
                 float left = exp(-thickness * sampleLength);
                 float weight = through * (1.0 - left);
-                seen += weight * colorAt(between);
+                part += weight * colorAt(between);
                 where += weight * depth;
                 through *= left;
             }
         }
-    }
-    float alpha = 1.0 - through;
 #ifdef SHADED
-    if (alpha > 0.0) {
-        vec3 gradient = rawDifferencesAt(index + where / alpha * perDepth);
-        vec2 light = reflected(transpose(jacobian) * gradient, ray);
-        seen = seen * light.x + alpha * light.y;
-    }
+        float alpha = before - through;
+        if (alpha > 0.0) {
+            vec3 gradient = rawDifferencesAt(index + where / alpha * perDepth);
+            vec2 light = reflected(transpose(jacobian) * gradient, ray);
+            part = part * light.x + alpha * light.y;
+        }
 #endif
-    return vec4(seen, alpha);
+        seen += part;
+    }
+    return vec4(seen, 1.0 - through);
 }
