@@ -5,8 +5,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+
+#include "core/base/parallel.h"
 
 namespace voledit {
 
@@ -56,6 +59,11 @@ void limitMemory(std::uint64_t bytes) {
     // What is mapped already, libraries above all, is mostly not used: it does not count.
     setLimit(RLIMIT_AS, rlim_t(addressSpaceInUse() + bytes));
 #endif
+}
+
+void limitParsing(std::uint64_t fileBytes) {
+    constexpr std::uint64_t base = 256 << 20, thread = 16 << 20, times = 64;
+    limitMemory(std::min(lastLimit, base + thread * std::uint64_t(threadCount()) + times * fileBytes));
 }
 
 MemoryLimitLifted::MemoryLimitLifted() {

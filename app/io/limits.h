@@ -12,6 +12,10 @@ void confineProcess(int parent);
 /// reserves terabytes.
 void limitMemory(std::uint64_t bytes);
 
+/// Lowers the limit to what a library may need to parse files of `fileBytes` bytes, so that one which believes a lying
+/// length does not take all that the user allows.
+void limitParsing(std::uint64_t fileBytes);
+
 /// While it lives there is no limit; afterwards the last one holds again, counted from what is in use then.
 class MemoryLimitLifted {
 public:

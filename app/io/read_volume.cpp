@@ -2,6 +2,7 @@
 
 #include "app/io/check_vdb.h"
 #include "app/io/detect.h"
+#include "app/io/limits.h"
 #include "app/io/module_loader.h"
 #include "app/io/modules/dicom.h"
 #include "app/io/modules/pictures.h"
@@ -13,12 +14,29 @@ namespace voledit {
 
 namespace {
 
+void limitParsingOf(const std::vector<Source>& files) {
+    std::uint64_t bytes = 0;
+    for (const Source& file : files) bytes += InputFile(file).size();
+    limitParsing(bytes);
+}
+
 void readStack(const SliceStack& stack, VolumeSink& sink) {
-    moduleFunction<decltype(voleditReadSlices)>("voledit-io-pictures.so", "voleditReadSlices")(stack, sink);
+    auto* read = moduleFunction<decltype(voleditReadSlices)>("voledit-io-pictures.so", "voleditReadSlices");
+    limitParsingOf(stack.files);
+    read(stack, sink);
 }
 
 void readSeries(const DicomFiles& files, VolumeSink& sink) {
-    moduleFunction<decltype(voleditReadDicom)>("voledit-io-dicom.so", "voleditReadDicom")(files, sink);
+    auto* read = moduleFunction<decltype(voleditReadDicom)>("voledit-io-dicom.so", "voleditReadDicom");
+    limitParsingOf(files.files);
+    read(files, sink);
+}
+
+void readVdb(const Source& source, VolumeSink& sink) {
+    checkVdb(source);
+    auto* read = moduleFunction<decltype(voleditReadVdb)>("voledit-io-vdb.so", "voleditReadVdb");
+    limitParsingOf({source});
+    read(source, sink);
 }
 
 /// A DICOM series where there is one, else slices.
@@ -44,8 +62,7 @@ void readAnyVolume(const IoRequest& request, VolumeSink& sink) {
         case Format::Vtk:
             return load(source, parseVtk(source), sink);
         case Format::Vdb:
-            checkVdb(source);
-            return moduleFunction<decltype(voleditReadVdb)>("voledit-io-vdb.so", "voleditReadVdb")(source, sink);
+            return readVdb(source, sink);
         case Format::Dicom:
             return readSeries(seriesOfFile(source), sink);
         case Format::Tiff:

@@ -62,6 +62,7 @@ public:
             throw Error(where, "needs " + readableBytes(bytes) + ", more than the limit of " + readableBytes(limit_),
                         "raise --memory-limit, or reduce the volume");
         file_ = makeMemoryFile(bytes);
+        const MemoryLimitLifted lifted;  // the voxels have been held against the limit
         mapping_ = mapForWriting(file_.get(), bytes);
         return mapping_.bytes;
     }
@@ -192,8 +193,9 @@ Answer answerOrFailure(const IoRequest& request, const FileDescriptor& file, int
     } catch (const Error& error) {
         return failure(error.what());
     } catch (const std::bad_alloc&) {
-        return failure(request.shownPath + ": needs more memory than the limit of " +
-                       readableBytes(request.memoryLimit) + "; raise --memory-limit, or reduce the file");
+        return failure(request.shownPath +
+                       ": needs more memory than a sound file of its size would, or than the limit of " +
+                       readableBytes(request.memoryLimit) + "; save it anew, reduce it, or raise --memory-limit");
     } catch (const std::exception& error) {
         return failure(request.shownPath + ": cannot be read or written (" + error.what() +
                        "); the file may be damaged, save it anew with the program that made it");
