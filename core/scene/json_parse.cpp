@@ -11,9 +11,21 @@ namespace voledit {
 
 using nlohmann::json;
 
+namespace {
+constexpr std::size_t kLongestQuotation = 60;  // bytes of a name or text that messages repeat
+constexpr std::size_t kLongestPointer = 400;   // bytes of a place that messages name
+}  // namespace
+
+std::string abridged(const std::string& text) {
+    if (text.size() <= kLongestQuotation) return text;
+    std::size_t end = kLongestQuotation;
+    while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character
+    return text.substr(0, end) + "…";
+}
+
 std::string memberOf(const std::string& pointer, const std::string& key) {
     std::string result = pointer + "/";
-    for (const char c : key) {
+    for (const char c : abridged(key)) {
         if (c == '~')
             result += "~0";
         else if (c == '/')
@@ -35,6 +47,7 @@ std::string JsonPlace::pointer() const {
     for (auto place = places.rbegin(); place != places.rend(); ++place)
         result = (*place)->member.data() ? memberOf(result, std::string((*place)->member))
                                          : elementOf(result, (*place)->element);
+    if (result.size() > kLongestPointer) result = abridged(result);
     return result.empty() ? "/" : result;
 }
 
@@ -94,7 +107,8 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& pointer, const std::string& what, const std::string& remedy) const {
-        throw Error(file_ + ": " + (pointer.empty() ? "/" : pointer), what, remedy);
+        const std::string place = pointer.size() > kLongestPointer ? abridged(pointer) : pointer;
+        throw Error(file_ + ": " + (place.empty() ? "/" : place), what, remedy);
     }
 
     /// Place of the innermost open object or array; empty for the outermost.
@@ -125,9 +139,8 @@ private:
 
     bool open(json value) {
         if (open_.size() >= kDeepestNesting) {
-            std::string where = pointer();
-            if (where.size() > 60) where = where.substr(0, 60) + "…";
-            fail(where, "objects and lists are nested deeper than " + std::to_string(kDeepestNesting) + " levels",
+            fail(abridged(pointer()),
+                 "objects and lists are nested deeper than " + std::to_string(kDeepestNesting) + " levels",
                  "name inner parts in `objects` or `transfers` and refer to them with `use`");
         }
         if (!open_.empty())

@@ -103,14 +103,13 @@ std::string described(const json& value) {
                 names.push_back("…");
                 break;
             }
-            names.push_back(item.key().substr(0, 40));
+            names.push_back(abridged(item.key()));
         }
         return "an object with " + joined(names);
     }
-    std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    if (text.size() > 60)
-        text = json(value.get<std::string>().substr(0, 50)).dump(-1, ' ', false, json::error_handler_t::replace) + "…";
-    return text;
+    if (value.is_string())
+        return json(abridged(value.get_ref<const std::string&>())).dump(-1, ' ', false, json::error_handler_t::replace);
+    return value.dump();
 }
 
 /// One pass over a value. `mistake` is null where only the answer is asked for (`if`, `not`, alternatives).
@@ -154,7 +153,7 @@ struct JsonSchema::Check {
                 quoted.push_back(choice.dump());
                 plain.push_back(choice.is_string() ? choice.get<std::string>() : choice.dump());
             }
-            const std::string text = value.is_string() ? value.get<std::string>() : "";
+            const std::string text = value.is_string() ? abridged(value.get_ref<const std::string&>()) : "";
             if (quoted.size() == 1 && !node.title.empty())
                 return Words("found " + described(value) + ", expected " + node.title, "write that");
             const std::string kind = node.title.empty() ? "" : " (" + node.title + ")";
@@ -237,7 +236,7 @@ struct JsonSchema::Check {
         return fail(here, [&] {
             const auto known = propertiesOf(node);
             const std::string kind = node.title.empty() ? "this object" : node.title;
-            return Words("unknown member \"" + name.substr(0, 60) + "\"; " + kind + " has " + joined(known),
+            return Words("unknown member \"" + abridged(name) + "\"; " + kind + " has " + joined(known),
                          suggestion(name, known, "remove it or correct its name"));
         });
     }

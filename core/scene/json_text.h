@@ -7,7 +7,9 @@
 
 namespace voledit {
 
-/// Appends member `key` to the JSON pointer `pointer` (RFC 6901: ~ and / escaped).
+/// `text` for a message: cut where it is long.
+std::string abridged(const std::string& text);
+/// Appends member `key` to the JSON pointer `pointer` (RFC 6901: ~ and / escaped); a long key is abridged.
 std::string memberOf(const std::string& pointer, const std::string& key);
 /// Appends element `index` to the JSON pointer `pointer`.
 std::string elementOf(const std::string& pointer, std::size_t index);

@@ -73,7 +73,7 @@ private:
     }
 
     [[noreturn]] void failDepth() const {
-        fail("/" + std::string(names_.front() == "root" ? "root" : "objects/" + names_.front()),
+        fail(names_.front() == "root" ? "/root" : memberOf("/objects", names_.front()),
              "objects and transfers nest deeper than " + std::to_string(kDeepestNesting) + " levels",
              "split the scene into fewer levels");
     }
@@ -83,7 +83,7 @@ private:
         bool inside = false;
         for (std::size_t i = 0; i < names_.size(); ++i) {
             inside = inside || names_[i] == name;
-            if (inside) chain += (chain.empty() ? "" : " → ") + names_[i];
+            if (inside) chain += (chain.empty() ? "" : " → ") + abridged(names_[i]);
             if (chain.size() > 200) {
                 chain += " → …";
                 break;

@@ -81,6 +81,10 @@ VolumeObject SceneReader::volume(const JsonView& view) {
 TransferObject SceneReader::transferObject(const JsonView& view) {
     TransferObject result;
     const JsonView by = view["by"];
+    if (by.value.is_array() && by.value.size() > kDeepestNesting)
+        fail(by.place,
+             "found " + described(by.value) + "; a transfer applies at most " + std::to_string(kDeepestNesting),
+             "join some of them");
     if (by.value.is_array())
         for (std::size_t i = 0; i < by.value.size(); ++i) result.by.emplace_back(transfer(by[i]));
     else

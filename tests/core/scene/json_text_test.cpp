@@ -85,6 +85,24 @@ TEST(ParseJson, CutsLongQuotationsOutOfMessages) {
     }
 }
 
+TEST(ParseJson, CutsLongNamesOutOfMessages) {
+    const std::string name(1'000'000, 'n');
+    try {
+        parseJson("{\"" + name + "\": [{\"a\": 1, \"a\": 2}]}", "f");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_LT(std::string(error.what()).size(), 500u);
+        EXPECT_THAT(error.what(), HasSubstr("…/0/a: this member stands twice"));
+    }
+}
+
+TEST(Abridged, CutsBetweenCharacters) {
+    EXPECT_EQ(abridged("short"), "short");
+    std::string text(59, 'a');
+    for (int i = 0; i < 10; ++i) text += "é";
+    EXPECT_EQ(abridged(text), std::string(59, 'a') + "…");
+}
+
 TEST(JsonPlace, WritesPointers) {
     const JsonPlace root, a = root.at("a/b"), first = a.at(std::size_t(0)), m = first.at("m~n");
     EXPECT_EQ(root.pointer(), "/");
