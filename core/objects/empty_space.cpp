@@ -13,7 +13,7 @@ namespace voledit {
 
 namespace {
 
-constexpr int kFinestCells = 96;  // along the longest side of the bounds
+constexpr int kFinestCells = 64;  // along the longest side of the bounds
 constexpr int kLevels = 3;
 
 /// `box` moved by an affine matrix, as a box: by centre and half sides, cheaper than eight corners.
