@@ -343,6 +343,12 @@ Edit color(const char* label, Vec3& value, const std::string& help) {
     noteWidget(label);
     tooltip(help);
     Edit edit;
+    // Beside the panel where there is room, so that it does not cover what is painted.
+    const float em = ImGui::GetFontSize(), left = ImGui::GetWindowPos().x - 0.5f * em;
+    const float lowest = ImGui::GetIO().DisplaySize.y - 21 * em;
+    if (left > 17 * em)
+        ImGui::SetNextWindowPos({left, std::max(0.0f, std::min(ImGui::GetItemRectMin().y, lowest))}, ImGuiCond_Always,
+                                {1, 0});
     if (ImGui::BeginPopup("picker")) {
         const WidgetScope scope(shownPart(label));
         float rgb[3] = {shown.x, shown.y, shown.z};

@@ -23,7 +23,8 @@ std::string pointName(const Lattice& lattice, std::size_t index) {
 }
 
 /// Basis, degree or points, cells: what the lattice is made of.
-void drawShape(Document& document, const LatticeView& view, const FfdTransfer& ffd) {
+void drawShape(Workspace& workspace, const LatticeView& view, const FfdTransfer& ffd) {
+    Document& document = workspace.document;
     static const std::vector<std::string> bases{"Bézier", "B-spline"};
     int basis = ffd.basis == LatticeBasis::Bezier ? 0 : 1;
     const Edit chosen = ui::choice(
@@ -43,6 +44,8 @@ void drawShape(Document& document, const LatticeView& view, const FfdTransfer& f
         setLatticeShape(scene, view.name, bezier ? LatticeBasis::Bezier : LatticeBasis::BSpline, count, cells,
                         view.lattice.frame);
     };
+    // The numbers of the points mean others then.
+    if (chosen.changed || counted.changed) workspace.selection.points.clear();
     applyEdit(document, chosen, "Change basis", change);
     applyEdit(document, counted, bezier ? "Change degree" : "Change points", change);
     applyEdit(document, divided, "Change cells", change);
@@ -110,23 +113,21 @@ void drawSelection(Workspace& workspace, const LatticeView& view) {
 }
 
 /// Says where the lattice folds and which points do it.
-void drawFolds(const LatticeView& view) {
-    const auto* map = dynamic_cast<const LatticeMap*>(view.map.get());
-    if (!map) return;
-    const std::vector<std::size_t> folding = map->foldingPoints();
+void drawFolds(const LatticeView& view, const std::vector<std::size_t>& folding) {
     if (folding.empty()) return;
+    const bool one = folding.size() == 1;
     std::string names;
     for (std::size_t i = 0; i < std::min<std::size_t>(folding.size(), 4); ++i)
         names += (i ? ", " : "") + pointName(view.lattice, folding[i]);
     if (folding.size() > 4) names += " and " + std::to_string(folding.size() - 4) + " more";
-    ui::warning("Folded by control point" + std::string(folding.size() > 1 ? "s " : " ") + names +
-                ": parts show more than once. Move them back a little.");
+    ui::warning(std::string("Folded by control point") + (one ? " " : "s ") + names + ": parts show more than once. " +
+                (one ? "Move it" : "Move them") + " back a little.");
     noteWidget("Fold warning");
 }
 
 }  // namespace
 
-void drawLatticePanel(Workspace& workspace) {
+void LatticePanel::draw(Workspace& workspace) {
     Document& document = workspace.document;
     const std::string name = activeLattice(workspace);
     if (name.empty()) {
@@ -142,11 +143,11 @@ void drawLatticePanel(Workspace& workspace) {
     const Transfer settings = *transfer;
     const FfdTransfer shape = *ffd;
     if (!view->exact) ui::note("Shown where it acts: a deformation outside it moves what you see.");
-    drawFolds(*view);
+    drawFolds(*view, folded_.of(view->map));
     drawSelection(workspace, *view);
     ui::heading("LATTICE");
     drawStrength(document, name, settings);
-    drawShape(document, *view, shape);
+    drawShape(workspace, *view, shape);
 }
 
 }  // namespace voledit

@@ -12,10 +12,11 @@ namespace voledit {
 
 std::vector<Panel> makePanels() {
     const auto isOpen = [](const Workspace& workspace) { return workspace.open; };
+    const auto lattice = std::make_shared<LatticePanel>();
     const auto appearance = std::make_shared<AppearancePanel>();
     std::vector<Panel> panels;
     panels.push_back({"Scene", drawScenePanel, {}, icons::kScene, true});
-    panels.push_back({"Lattice", drawLatticePanel, isOpen, icons::kLattice, true});
+    panels.push_back({"Lattice", [lattice](Workspace& w) { lattice->draw(w); }, isOpen, icons::kLattice, true});
     panels.push_back(
         {"Appearance", [appearance](Workspace& w) { appearance->draw(w); }, isOpen, icons::kAppearance, true});
     panels.push_back({"Render", drawRenderPanel, isOpen, icons::kRender, false});

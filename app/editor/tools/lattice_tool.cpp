@@ -287,12 +287,9 @@ std::string LatticeTool::hint(const ToolContext& context) const {
 void LatticeTool::fillOverlay(const ToolContext& context, Overlay& overlay) {
     const auto view = shownLattice(context);
     if (!view) return;
-    if (view->map != foldedMap_) {
-        const auto* map = dynamic_cast<const LatticeMap*>(view->map.get());
-        folded_ = map ? map->foldingPoints() : std::vector<std::size_t>{};
-        foldedMap_ = view->map;
-    }
-    appendLattice(*view, {selectedPoints(context, *view), folded_, hovered_, context.camera, context.scale}, overlay);
+    appendLattice(*view,
+                  {selectedPoints(context, *view), folded_.of(view->map), hovered_, context.camera, context.scale},
+                  overlay);
 }
 
 }  // namespace voledit

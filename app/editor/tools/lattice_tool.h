@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/editor/tools/folded_points.h"
 #include "app/editor/tools/lattice_view.h"
 #include "app/editor/tools/point_move.h"
 #include "app/editor/tools/tool_context.h"
@@ -73,8 +74,7 @@ private:
         PointMove move;
     };
     std::optional<Moving> move_;
-    TransferPtr foldedMap_;  // that folded_ was found for
-    std::vector<std::size_t> folded_;
+    FoldedPoints folded_;
 };
 
 /// The control point of `view` nearest to pixel `at` and no further than `radius` pixels; of several as near (within a

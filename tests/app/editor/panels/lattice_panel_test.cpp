@@ -24,9 +24,10 @@ protected:
 
     Workspace workspace;
     ViewportTools tools;
+    LatticePanel panel;
     test::PanelHarness ui{[this] {
         if (!workspace.open) return;
-        drawLatticePanel(workspace);
+        panel.draw(workspace);
         test::recompile(workspace);
     }};
 };
@@ -76,9 +77,11 @@ TEST_F(LatticePanelTest, TheMeanOfSeveralMovesThemAll) {
 
 TEST_F(LatticePanelTest, ADegreeRaisedKeepsTheShape) {
     document().apply("move", [](Scene& s) { moveControlPoints(s, "lattice", {indexOf({3, 3, 3})}, {10, 5, 0}); });
+    workspace.selection = {"lattice", {indexOf({3, 3, 3})}};
     ui.frame(2);
     ui.enter("Degree X", "5");
     EXPECT_EQ(ffd().points, Index3(6, 4, 4));
+    EXPECT_TRUE(workspace.selection.points.empty());
     EXPECT_THAT(document().undoNames(), ElementsAre("move", "Change degree"));
     EXPECT_EQ(shownControlPoint(workspace, "lattice", {5, 3, 3}), Vec3(50, 45, 40));
 }
