@@ -197,12 +197,12 @@ private:
     }
 
     TransferPtr transferMap(const Transfer& transfer, const Frame& frame) {
-        const TransferInputs inputs(transfer, frame);
+        TransferInputs inputs(transfer, frame);
         const std::size_t hash = inputs.hash();
         if (auto made = findMap(*next_, hash, inputs)) return made;
         TransferPtr map = previous_ ? findMap(*previous_, hash, inputs) : nullptr;
         if (!map) map = makeMap(transfer, frame);
-        next_->transfers.emplace(hash, CompiledScene::Cache::TransferEntry{inputs, map});
+        next_->transfers.emplace(hash, CompiledScene::Cache::TransferEntry{std::move(inputs), map});
         return map;
     }
 
