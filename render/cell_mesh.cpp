@@ -20,18 +20,13 @@ constexpr int kBrickSide = 8;
 /// Voxels around a box that Visibility answers for by itself, less a little for the GPU's rounding.
 constexpr double kAnswered = 0.98;
 
-/// Whether anything that slabs in `box` reach can be seen, d index / d world having these rows' lengths. Slabs reach
-/// half their extent along the ray to either side, at the domain's faces up to the whole.
-bool canBeSeen(Box3 box, const Vec3& indexPerWorld, double slab, const Box3& domain, const Visibility& visibility) {
-    if (visibility.seesEverything()) return true;
+/// How far slabs reach beyond what they cut of `box`, in index units and more than Visibility answers for, d index / d
+/// world having these rows' lengths: half their extent along the ray to either side, at the domain's faces the whole.
+Vec3 marginOf(const Box3& box, const Vec3& indexPerWorld, double slab, const Box3& domain) {
     const Vec3 whole = indexPerWorld * slab;
     const bool inside =
         glm::all(glm::greaterThan(box.min - whole, domain.min)) && glm::all(glm::lessThan(box.max + whole, domain.max));
-    const Vec3 more = glm::max(whole * (inside ? 0.5 : 1.0) - kAnswered, Vec3(0));
-    box = {box.min - more, box.max + more};
-    for (int a = 0; a < 3; ++a)
-        if (box.max[a] < domain.min[a] - 0.01 || box.min[a] > domain.max[a] + 0.01) return false;
-    return visibility.visible(box);
+    return glm::max(whole * (inside ? 0.5 : 1.0) - kAnswered, Vec3(0));
 }
 
 Vec3 rowLengths(const Mat3& m) {
@@ -87,6 +82,14 @@ void numberEdges(CellMesh& mesh, std::span<const std::array<int, 2>> edgesOfCell
 
 }  // namespace
 
+bool canBeSeen(Box3 box, const Vec3& margin, const Box3& domain, const Visibility& visibility) {
+    if (visibility.seesEverything()) return true;
+    box = {box.min - margin, box.max + margin};
+    for (int a = 0; a < 3; ++a)
+        if (box.max[a] < domain.min[a] - 0.01 || box.min[a] > domain.max[a] + 0.01) return false;
+    return visibility.visible(box);
+}
+
 CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double slab) {
     CellMesh mesh;
     mesh.kind = CellMesh::Kind::Brick;
@@ -108,7 +111,7 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
         for (int j = 0; j < count.y; ++j)
             for (int i = 0; i < count.x; ++i) {
                 const Box3 box{indexAt({i, j, k}), indexAt({i + 1, j + 1, k + 1})};
-                if (!canBeSeen(box, indexPerWorld, slab, domain, visibility)) {
+                if (!canBeSeen(box, marginOf(box, indexPerWorld, slab, domain), domain, visibility)) {
                     ++mesh.culled;
                     continue;
                 }
@@ -146,10 +149,13 @@ CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed
             box = join(box, Vec3(mesh.source[v].index));
             steepest = glm::max(steepest, indexPerWorld[v]);
         }
-        if (canBeSeen(box, steepest, slab, domain, visibility))
+        const Vec3 margin = marginOf(box, steepest, slab, domain);
+        if (canBeSeen(box, margin, domain, visibility)) {
             mesh.cellVertices.insert(mesh.cellVertices.end(), tetrahedra[t].begin(), tetrahedra[t].end());
-        else
+            if (!visibility.seesEverything()) mesh.margin.push_back(Vec3f(margin) * 1.0001F);
+        } else {
             ++mesh.culled;
+        }
     }
     numberEdges(mesh, kTetrahedronEdges);
     return mesh;

@@ -28,12 +28,18 @@ struct CellMesh {
     std::vector<std::array<std::uint32_t, 2>> edges;  // vertices
     std::vector<std::uint32_t> cellVertices;          // 8 or 4 for each cell, as in cell_cut.h
     std::vector<std::uint32_t> cellEdges;             // 12 or 6 for each cell
-    std::size_t culled = 0;                           // cells left out as nothing in them can be seen
+    /// For tetrahedra that were culled by visibility: how far beyond a polygon, in index units and more than Visibility
+    /// answers for, its slab may reach; one for each cell, else empty.
+    std::vector<Vec3f> margin;
+    std::size_t culled = 0;  // cells left out as nothing in them can be seen
 
     int verticesPerCell() const { return kind == Kind::Brick ? 8 : 4; }
     int edgesPerCell() const { return kind == Kind::Brick ? 12 : 6; }
     std::size_t cellCount() const { return cellVertices.size() / std::size_t(verticesPerCell()); }
 };
+
+/// Whether anything of `box` (index space) and `margin` around it can be seen; `domain` is the volume's.
+bool canBeSeen(Box3 box, const Vec3& margin, const Box3& domain, const Visibility& visibility);
 
 /// Bricks of 8³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
 /// @param slab  extent of a slab along a ray at most, world units; what is seen there counts too

@@ -8,7 +8,8 @@
 
 namespace voledit {
 
-CellSlicer::CellSlicer(const CellMesh& mesh, const View& view) : mesh_(mesh) {
+CellSlicer::CellSlicer(const CellMesh& mesh, const View& view, const Box3& domain, const Visibility& visibility)
+    : mesh_(mesh), domain_(domain), visibility_(visibility) {
     place(view);
     cover(view);
 }
@@ -114,10 +115,23 @@ void CellSlicer::cutSlice(double depth, float relativeDepth, SliceBatch& batch) 
         std::array<std::uint32_t, 6> at{};
         for (std::size_t n = 0; n < polygon.count; ++n)
             at[n] = vertexOn(cellEdge[polygon.edge[n]], depth, relativeDepth, batch);
+        if (!mesh_.margin.empty() && !polygonSeen(c, std::span(at).first(polygon.count), batch)) continue;
         for (std::size_t n = 2; n < polygon.count; ++n)
             batch.indices.insert(batch.indices.end(), {at[0], at[n - 1], at[n]});
         ++batch.polygons;
     }
+}
+
+bool CellSlicer::polygonSeen(std::uint32_t cell, std::span<const std::uint32_t> corners,
+                             const SliceBatch& batch) const {
+    Vec3f low(HUGE_VALF), high(-HUGE_VALF);
+    for (const std::uint32_t corner : corners) {
+        const float* index = batch.vertices.data() + std::size_t(corner) * std::size_t(floatsPerVertex()) + 3;
+        const Vec3f at(index[0], index[1], index[2]);
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    return canBeSeen({Vec3(low), Vec3(high)}, Vec3(mesh_.margin[cell]), domain_, visibility_);
 }
 
 std::uint32_t CellSlicer::vertexOn(std::uint32_t edge, double depth, float relativeDepth, SliceBatch& batch) const {

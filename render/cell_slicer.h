@@ -3,6 +3,7 @@
 // it in llvmpipe's vertex stage (performance.md); a GPU's way would replace this class alone.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/cell_mesh.h"
@@ -27,8 +28,9 @@ private:
 /// A mesh seen from one camera. Cutting is const and may be called from many threads, each with its own batch.
 class CellSlicer {
 public:
-    /// `mesh` must outlive it. Cells outside the view are left out.
-    CellSlicer(const CellMesh& mesh, const View& view);
+    /// `mesh` and `visibility` must outlive it. Cells outside the view are left out, and polygons of tetrahedra that
+    /// cannot be seen where the mesh was made with margins; `domain` is the volume's, in index space.
+    CellSlicer(const CellMesh& mesh, const View& view, const Box3& domain, const Visibility& visibility);
 
     /// Depth of the nearest vertex of the whole mesh, those of cells that were left out too: where slices start
     /// counting, so that they do not move with what is visible. Negative behind the eye.
@@ -54,9 +56,12 @@ private:
     void cover(const View& view);
     void gather(double from, double to, SliceBatch& batch) const;
     void cutSlice(double depth, float relativeDepth, SliceBatch& batch) const;
+    bool polygonSeen(std::uint32_t cell, std::span<const std::uint32_t> corners, const SliceBatch& batch) const;
     std::uint32_t vertexOn(std::uint32_t edge, double depth, float relativeDepth, SliceBatch& batch) const;
 
     const CellMesh& mesh_;
+    Box3 domain_;
+    const Visibility& visibility_;
     std::vector<Vec3> position_;             // view space (view.h)
     std::vector<float> cellNear_, cellFar_;  // depths, rounded outwards; near > far: out of view
     double start_ = 0, middle_ = 0, nearest_ = 0, farthest_ = 0;

@@ -58,8 +58,11 @@ void SlicePicture::addLayer(const CellMesh& mesh, const Mat4& indexFromWorld, co
     const bool mapped = mesh.kind == CellMesh::Kind::Tetrahedron;
     std::array<Program*, 2> programs{&programOf(mapped, 0, scene), nullptr};
     if (folded_ && FoldTarget::passes(combine_) == 2) programs[1] = &programOf(mapped, 1, scene);
-    layers_.push_back({mapped, indexFromWorld, CellSlicer(mesh, view_), mapped ? &workshop_.cells : &workshop_.bricks,
-                       mapped ? &workshop_.cellBatches : &workshop_.brickBatches, programs});
+    layers_.push_back(
+        {mapped, indexFromWorld,
+         CellSlicer(mesh, view_, plan_.volume->volume->grid().indexDomain(), workshop_.resources.visibility()),
+         mapped ? &workshop_.cells : &workshop_.bricks, mapped ? &workshop_.cellBatches : &workshop_.brickBatches,
+         programs});
     statistics_.cells += mesh.cellCount();
     statistics_.culledCells += mesh.culled;
 }

@@ -29,6 +29,7 @@ public:
 
     const VolumeTexture& volume() const { return volume_->texture; }
     const TransferTable& table() const { return table_->table; }
+    const Visibility& visibility() const { return *visibility_; }
     /// The outermost forward map's cells; without one, the volume's bricks.
     const CellMesh& mesh() const { return mesh_->mesh; }
     /// Bricks of the operand where it stands, for a map that keeps what is outside its cells; else null.
