@@ -7,6 +7,7 @@
 #include "app/io/modules/dicom.h"
 #include "app/io/modules/pictures.h"
 #include "app/io/modules/vdb.h"
+#include "app/io/png_file.h"
 #include "app/io/readers.h"
 #include "app/io/stacks.h"
 
@@ -21,6 +22,7 @@ void limitParsingOf(const std::vector<Source>& files) {
 }
 
 void readStack(const SliceStack& stack, VolumeSink& sink) {
+    if (stack.format == "png") return readPngSlices(stack, sink);
     auto* read = moduleFunction<decltype(voleditReadSlices)>("voledit-io-pictures.so", "voleditReadSlices");
     limitParsingOf(stack.files);
     read(stack, sink);

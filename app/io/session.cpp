@@ -10,6 +10,7 @@
 #include "app/io/limits.h"
 #include "app/io/module_loader.h"
 #include "app/io/modules/pictures.h"
+#include "app/io/png_file.h"
 #include "app/io/read_volume.h"
 #include "app/io/stored_volume.h"
 #include "app/io/writers.h"
@@ -138,7 +139,10 @@ Answer readPicture(const IoRequest& request) {
     const Source source{request.path, request.shownPath};
     if (InputFile(source).size() == 0) throw Error(source.name, "is empty", "copy or download the file anew");
     Picture picture;
-    moduleFunction<decltype(voleditReadPicture)>("voledit-io-pictures.so", "voleditReadPicture")(source, picture);
+    if (InputFile(source).start(4) == "\x89PNG")
+        picture = readPng(source);
+    else
+        moduleFunction<decltype(voleditReadPicture)>("voledit-io-pictures.so", "voleditReadPicture")(source, picture);
     const auto pixels = std::as_bytes(std::span(picture.pixels));
     FileDescriptor file = makeMemoryFile(pixels.size());
     std::memcpy(mapForWriting(file.get(), pixels.size()).bytes.data(), pixels.data(), pixels.size());
@@ -157,7 +161,10 @@ Answer writePicture(const IoRequest& request, const FileDescriptor& file) {
     const std::string ending = lowered(target.path.extension().string());
     if (ending != ".png" && ending != ".exr")
         throw Error(target.name, "its ending names no picture format that voledit writes", "end it in .png or .exr");
-    moduleFunction<decltype(voleditWritePicture)>("voledit-io-pictures.so", "voleditWritePicture")(picture, target);
+    if (ending == ".png")
+        writePng(picture, target);
+    else
+        moduleFunction<decltype(voleditWriteExr)>("voledit-io-pictures.so", "voleditWriteExr")(picture, target);
     IoReply reply;
     reply.kind = IoReply::Kind::Written;
     reply.notes = {target.path.filename().string()};

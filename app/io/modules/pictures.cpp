@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/io/checks.h"
+#include "app/io/slice_shape.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -48,14 +48,6 @@ private:
     int page_ = 0;
 };
 
-/// What every slice of a stack must share.
-struct SliceShape {
-    int width = 0, height = 0, channels = 0;
-    VoxelType type = VoxelType::UInt8;
-
-    bool operator==(const SliceShape&) const = default;
-};
-
 SliceShape shapeOf(const Source& source, const OIIO::ImageSpec& spec) {
     static const std::map<int, VoxelType> types{
         {OIIO::TypeDesc::UINT8, VoxelType::UInt8},   {OIIO::TypeDesc::INT8, VoxelType::Int8},
@@ -92,39 +84,16 @@ OIIO::TypeDesc typeOf(VoxelType type) {
     return OIIO::TypeDesc::DOUBLE;
 }
 
-VolumeHeader headerOf(const SliceStack& stack, const OpenPicture& first, std::size_t depth) {
-    const SliceShape shape = shapeOf(stack.files.front(), first.spec());
-    VolumeHeader header;
-    header.grid.size = Index3(shape.width, shape.height, int(depth));
-    header.grid.channels = shape.channels;
-    for (int a = 0; a < 3; ++a) header.grid.worldFromIndex[a][a] = stack.spacing[a];
-    header.type = shape.type;
-    header.format = stack.format;
-    header.storedType = first.spec().format.c_str();
-    checkSizes(stack.name, {std::uint64_t(shape.width), std::uint64_t(shape.height), depth},
-               std::uint64_t(shape.channels));
-    return header;
-}
-
-[[noreturn]] void throwDifferent(const std::string& slice, const SliceShape& shape, const SliceShape& first) {
-    const auto text = [](const SliceShape& s) {
-        return std::to_string(s.width) + "x" + std::to_string(s.height) + " with " + std::to_string(s.channels) +
-               " channels of " + std::string(nameOf(s.type));
-    };
-    throw Error(slice, "is " + text(shape) + ", but the first slice is " + text(first),
-                "all slices of a stack must be alike: take the others out of the folder");
-}
-
 void readPages(const SliceStack& stack, VolumeSink& sink) {
     const Source& file = stack.files.front();
     OpenPicture picture(file, stack.pages.front());
     const SliceShape first = shapeOf(file, picture.spec());
-    const auto voxels = sink.allocate(stack.name, headerOf(stack, picture, stack.pages.size()));
+    const auto voxels = sink.allocate(stack.name, headerOf(stack, first, stack.pages.size()));
     const std::size_t bytes = voxels.size() / stack.pages.size();
     for (std::size_t k = 0; k < stack.pages.size(); ++k) {
         picture.turnTo(stack.pages[k]);
         const SliceShape shape = shapeOf(file, picture.spec());
-        if (shape != first) throwDifferent(file.name + ", page " + std::to_string(stack.pages[k] + 1), shape, first);
+        checkAlike(file.name + ", page " + std::to_string(stack.pages[k] + 1), shape, first);
         picture.read(typeOf(first.type), voxels.data() + k * bytes);
         sink.progress(double(k + 1) / double(stack.pages.size()));
     }
@@ -134,14 +103,14 @@ void readFiles(const SliceStack& stack, VolumeSink& sink) {
     const OpenPicture picture(stack.files.front(), 0);
     const SliceShape first = shapeOf(stack.files.front(), picture.spec());
     const std::size_t count = stack.files.size();
-    const auto voxels = sink.allocate(stack.name, headerOf(stack, picture, count));
+    const auto voxels = sink.allocate(stack.name, headerOf(stack, first, count));
     const std::size_t bytes = voxels.size() / count;
     std::atomic<std::size_t> done{0};
     parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             OpenPicture slice(stack.files[k], 0);
             const SliceShape shape = shapeOf(stack.files[k], slice.spec());
-            if (shape != first) throwDifferent(stack.files[k].name, shape, first);
+            checkAlike(stack.files[k].name, shape, first);
             slice.read(typeOf(first.type), voxels.data() + k * bytes);
             sink.progress(double(++done) / double(count));
         }
@@ -193,13 +162,7 @@ void voleditReadPicture(const Source& source, Picture& picture) {
     }
 }
 
-void voleditWritePicture(const Picture& picture, const Source& target) {
-    std::string ending = target.path.extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    if (ending == ".png") {
-        const OIIO::ImageSpec spec(picture.size.x, picture.size.y, 3, OIIO::TypeDesc::UINT8);
-        return write(target, spec, OIIO::TypeDesc::UINT8, toRgb8(picture).data());
-    }
+void voleditWriteExr(const Picture& picture, const Source& target) {
     Picture linear = picture;
     for (Vec4f& p : linear.pixels)
         for (int c = 0; c < 3; ++c) p[c] = linearFromSrgb(p[c]);

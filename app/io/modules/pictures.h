@@ -28,7 +28,7 @@ extern "C" void voleditReadSlices(const SliceStack& stack, VolumeSink& sink);
 /// Error.
 extern "C" void voleditReadPicture(const Source& source, Picture& picture);
 
-/// Writes float RGBA by the ending of `path`: .png as 8-bit RGB, .exr as float RGBA in linear light. Throws Error.
-extern "C" void voleditWritePicture(const Picture& picture, const Source& target);
+/// Writes OpenEXR: float RGBA in linear light. Throws Error.
+extern "C" void voleditWriteExr(const Picture& picture, const Source& target);
 
 }  // namespace voledit
