@@ -23,7 +23,8 @@ std::vector<InputEvent> InputQueue::takeFrame() {
         const bool modifier = next.kind == Kind::Key && next.key >= Key::Shift;
         if (again || (next.kind == Kind::Move && button) || (modifier && acted)) break;
         button |= next.kind == Kind::Button;
-        acted |= next.kind != Kind::Move && !modifier;
+        // Letting a key go does nothing by itself, so modifiers may go with it.
+        acted |= next.kind != Kind::Move && !(next.kind == Kind::Key && (modifier || !next.down));
         const bool last = next.kind == Kind::Text || next.kind == Kind::Drop;
         taken.push_back(std::move(waiting_.front()));
         waiting_.pop_front();

@@ -13,6 +13,11 @@ void WidgetPlaces::newFrame() {
     scopes.clear();
 }
 
+void WidgetPlaces::note(const std::string& path, const WidgetPlace& place) {
+    const auto [at, isNew] = noted_.try_emplace(path, place);
+    if (!isNew && (place.front || !at->second.front)) at->second = place;
+}
+
 std::optional<WidgetPlace> WidgetPlaces::find(const std::string& path) const {
     const auto at = shown_.find(path);
     if (at == shown_.end()) return std::nullopt;
@@ -49,8 +54,9 @@ void noteWidget(std::string_view label, const Vec2& min, const Vec2& max) {
     for (const std::string& scope : places->scopes) path += scope + "/";
     path += label.substr(0, label.find("##"));
     const Vec2 center = 0.5 * (min + max);
-    const ImRect clip = ImGui::GetCurrentWindowRead()->ClipRect;
-    places->note(path, {min, max, clip.Contains(ImVec2(float(center.x), float(center.y)))});
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    const bool visible = window.ClipRect.Contains(ImVec2(float(center.x), float(center.y)));
+    places->note(path, {min, max, visible, (window.RootWindow->Flags & ImGuiWindowFlags_Popup) != 0});
 }
 
 }  // namespace voledit

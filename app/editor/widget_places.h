@@ -15,6 +15,7 @@ namespace voledit {
 struct WidgetPlace {
     Vec2 min{0}, max{0};
     bool visible = true;  // false where it is scrolled out of its window's view
+    bool front = false;   // in a menu or dialog: goes before a panel's widget of the same name
     Vec2 center() const { return 0.5 * (min + max); }
 };
 
@@ -23,7 +24,7 @@ class WidgetPlaces {
 public:
     /// Ends a frame: what was noted since the last call can be found from now on.
     void newFrame();
-    void note(const std::string& path, const WidgetPlace& place) { noted_[path] = place; }
+    void note(const std::string& path, const WidgetPlace& place);
     std::optional<WidgetPlace> find(const std::string& path) const;
     /// All names, for error messages.
     std::vector<std::string> names() const;
