@@ -88,6 +88,7 @@ void Recorder::writeFrames() {
 void Recorder::frame(const std::vector<InputEvent>& events, double seconds) {
     if (!events.empty()) writeFrames();
     for (const InputEvent& event : events) file_ << lineOf(eventOf(event)) << "\n";
+    if (!events.empty()) file_ << std::flush;
     // Every frame with input must be one in the replay too, however fast the screen is.
     frames_ += events.empty() ? seconds * 60 : std::max(1.0, seconds * 60);
 }
