@@ -15,6 +15,12 @@ namespace voledit {
 
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 volatile pid_t parentProcess = 0;
 std::uint64_t lastLimit = 0;
 
@@ -55,10 +61,8 @@ void confineProcess(int parent) {
 
 void limitMemory(std::uint64_t bytes) {
     lastLimit = bytes;
-#if !defined(__SANITIZE_ADDRESS__)
     // What is mapped already, libraries above all, is mostly not used: it does not count.
-    setLimit(RLIMIT_AS, rlim_t(addressSpaceInUse() + bytes));
-#endif
+    if (!kSanitized) setLimit(RLIMIT_AS, rlim_t(addressSpaceInUse() + bytes));
 }
 
 void limitParsing(std::uint64_t fileBytes) {
