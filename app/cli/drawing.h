@@ -30,7 +30,9 @@ public:
     virtual std::string gl() const = 0;
 };
 
-/// @param renderer  "slices" or "rays"; @param gl  "auto", "egl" or "osmesa". Throws UsageError for other words, Error
+/// @param renderer  "slices", "rays", or "" for slices that leave a term which they cannot draw to rays, with a
+/// warning;
+/// @param gl  "auto", "egl" or "osmesa". Throws UsageError for other words, Error
 /// where the context cannot be made.
 std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::string& gl);
 

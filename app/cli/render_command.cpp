@@ -15,7 +15,7 @@ namespace {
 
 struct RenderArguments {
     InputArguments input;
-    std::string output, size = "960x720", renderer = "slices", gl = "auto", camera, stats;
+    std::string output, size = "960x720", renderer, gl = "auto", camera, stats;
     double time = kNaN, step = 0;
     int timeFrames = 0, timeEdits = 0;
 };
@@ -102,7 +102,7 @@ Command addRenderCommand(CLI::App& command, const CommonArguments& common) {
     command.add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required()->type_name("OUT");
     command.add_option("--size", a->size, "Width and height in pixels")->capture_default_str()->type_name("WxH");
     command.add_option("--time", a->time, "Time in seconds (the timeline's start)")->type_name("S");
-    command.add_option("--renderer", a->renderer, "slices (OpenGL) or rays (CPU)")->capture_default_str();
+    command.add_option("--renderer", a->renderer, "slices (OpenGL, the default) or rays (CPU)");
     command.add_option("--step", a->step, "Distance of samples in units of the smallest spacing")->type_name("F");
     command.add_option("--camera", a->camera, "JSON file with eye, target, up, fovY")->type_name("FILE");
     command.add_option("--gl", a->gl, "osmesa, egl or auto")->capture_default_str();
