@@ -8,7 +8,7 @@ void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
     prepareVolume(*plan.volume);
     prepareTable(plan.volume->appearance);
     if (!visibility_) {
-        visibility_.emplace(volume_->ranges, table_->table);
+        visibility_.emplace(volume_->bricks, table_->table);
         mesh_.reset();
     }
     prepareMesh(plan, cull);
@@ -19,12 +19,16 @@ void SliceResources::prepareVolume(const VolumeTerm& term) {
     // The old one goes first, so that two never need to fit.
     volume_.reset();
     visibility_.reset();
-    volume_.emplace(Volumes{term.volume, term.channel, makeVolumeTexture(*term.volume, term.channel),
-                            brickRanges(*term.volume, term.channel)});
+    volume_.emplace(Volumes{term.volume,
+                            term.channel,
+                            makeVolumeTexture(*term.volume, term.channel),
+                            makeValueBricks(*term.volume, term.channel, kVisibilityMargin),
+                            {}});
+    volume_->range = finiteRange(volume_->bricks);
 }
 
 void SliceResources::prepareTable(const TransferFunction& function) {
-    const double min = volume_->ranges.min, max = volume_->ranges.max;
+    const auto [min, max] = volume_->range;
     if (table_ && table_->min == min && table_->max == max && table_->source == function) return;
     visibility_.reset();
     Tables made{function, min, max, makeTransferTable(function, min, max), {}, {}, {}};

@@ -42,7 +42,8 @@ private:
         std::weak_ptr<const Volume> source;
         int channel;
         VolumeTexture texture;
-        BrickRanges ranges;
+        ValueBricks bricks;
+        std::pair<double, double> range;
     };
     struct Tables {
         TransferFunction source;

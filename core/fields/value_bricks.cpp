@@ -39,32 +39,38 @@ float above(double v) {
     return double(f) < v ? std::nextafter(f, INFINITY) : f;
 }
 
+/// Samples of brick b along an axis of n: the first, and one past the last.
+Index2 samplesOf(int b, int margin, int n) {
+    return {std::max(b * kSide - margin, 0), std::min((b + 1) * kSide + margin, n - 1) + 1};
+}
+
 /// Ranges along the rows of voxels of one slice z, joined into `rows` [y][brick].
 template <class T>
-void takeSlice(const VolumeGrid& grid, const T* slice, std::vector<Range<T>>& rows, int bricks) {
+void takeSlice(const VolumeGrid& grid, const T* slice, int margin, std::vector<Range<T>>& rows, int bricks) {
     const auto channels = std::size_t(grid.channels);
     for (int y = 0; y < grid.size.y; ++y) {
         const T* row = slice + std::size_t(y) * std::size_t(grid.size.x) * channels;
         for (int b = 0; b < bricks; ++b) {
             Range<T> range = rows[std::size_t(y * bricks + b)];
-            for (int i = b * kSide; i <= std::min((b + 1) * kSide, grid.size.x - 1); ++i)
-                range.take(row[std::size_t(i) * channels]);
+            const Index2 samples = samplesOf(b, margin, grid.size.x);
+            for (int i = samples[0]; i < samples[1]; ++i) range.take(row[std::size_t(i) * channels]);
             rows[std::size_t(y * bricks + b)] = range;
         }
     }
 }
 
 template <class T>
-void fillLayer(const VolumeGrid& grid, const T* voxels, int k, ValueBricks& result) {
+void fillLayer(const VolumeGrid& grid, const T* voxels, int margin, int k, ValueBricks& result) {
     std::vector<Range<T>> rows(std::size_t(grid.size.y) * std::size_t(result.count.x));
     const std::size_t slice = std::size_t(grid.size.x) * std::size_t(grid.size.y) * std::size_t(grid.channels);
-    for (int z = k * kSide; z <= std::min((k + 1) * kSide, grid.size.z - 1); ++z)
-        takeSlice(grid, voxels + std::size_t(z) * slice, rows, result.count.x);
+    const Index2 slices = samplesOf(k, margin, grid.size.z);
+    for (int z = slices[0]; z < slices[1]; ++z)
+        takeSlice(grid, voxels + std::size_t(z) * slice, margin, rows, result.count.x);
     for (int j = 0; j < result.count.y; ++j)
         for (int i = 0; i < result.count.x; ++i) {
             Range<T> range;
-            for (int y = j * kSide; y <= std::min((j + 1) * kSide, grid.size.y - 1); ++y)
-                range.take(rows[std::size_t(y * result.count.x + i)]);
+            const Index2 samples = samplesOf(j, margin, grid.size.y);
+            for (int y = samples[0]; y < samples[1]; ++y) range.take(rows[std::size_t(y * result.count.x + i)]);
             const std::size_t at = result.indexOf({i, j, k});
             result.low[at] = range.any ? below(double(range.low)) : INFINITY;
             result.high[at] = range.any ? above(double(range.high)) : -INFINITY;
@@ -73,7 +79,7 @@ void fillLayer(const VolumeGrid& grid, const T* voxels, int k, ValueBricks& resu
 
 }  // namespace
 
-ValueBricks makeValueBricks(const Volume& volume, int channel) {
+ValueBricks makeValueBricks(const Volume& volume, int channel, int margin) {
     ValueBricks result;
     const VolumeGrid& grid = volume.grid();
     for (int a = 0; a < 3; ++a) result.count[a] = std::max((grid.size[a] - 1 + kSide - 1) / kSide, 1);
@@ -82,7 +88,7 @@ ValueBricks makeValueBricks(const Volume& volume, int channel) {
     withVoxelType(volume.type(), [&](auto t) {
         const auto* voxels = reinterpret_cast<const decltype(t)*>(volume.voxels().data()) + channel;
         parallelFor(std::size_t(result.count.z), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) fillLayer(grid, voxels, int(k), result);
+            for (std::size_t k = begin; k < end; ++k) fillLayer(grid, voxels, margin, int(k), result);
         });
     });
     return result;

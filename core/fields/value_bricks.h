@@ -8,7 +8,8 @@
 namespace voledit {
 
 /// Smallest and largest finite or infinite value of one channel in bricks of 4³ voxels: brick b of an axis holds the
-/// samples 4b … 4b + 4, so that every value interpolated between these lies in its range. Rounded outwards to float.
+/// samples 4b … 4b + 4, so that every value interpolated between these lies in its range; with a margin of m voxels
+/// those from 4b − m to 4b + 4 + m. Rounded outwards to float.
 struct ValueBricks {
     static constexpr int kSide = 4;
     Index3 count{0};               // bricks along each axis: ceil((n − 1) / 4), at least 1
@@ -19,7 +20,7 @@ struct ValueBricks {
     }
 };
 
-/// Goes through the voxels once, in parallel. Volume::bricks keeps the result.
-ValueBricks makeValueBricks(const Volume& volume, int channel);
+/// Goes through the voxels about once, in parallel. Volume::bricks keeps the result without a margin (≥ 0, voxels).
+ValueBricks makeValueBricks(const Volume& volume, int channel, int margin = 0);
 
 }  // namespace voledit

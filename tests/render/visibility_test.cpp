@@ -19,34 +19,26 @@ std::shared_ptr<const Volume> speckled(Index3 size, unsigned seed, int voxels) {
     return Volume::fromValues(grid, std::move(values));
 }
 
-TEST(Visibility, RangesHoldTheirVoxelsAndOneMoreAround) {
+ValueBricks bricksOf(const Volume& volume) {
+    return makeValueBricks(volume, 0, kVisibilityMargin);
+}
+
+TEST(Visibility, FiniteRangeIsThatOfAllFiniteValues) {
     const auto volume = speckled({21, 14, 9}, 3, 60);
-    const BrickRanges ranges = brickRanges(*volume, 0);
-    ASSERT_EQ(ranges.bricks, Index3(5, 4, 2));
-    std::size_t n = 0;
-    for (int k = 0; k < 2; ++k)
-        for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 5; ++i, ++n) {
-                double low = kInfinity, high = -kInfinity;
-                for (int z = std::max(4 * k - 1, 0); z <= std::min(4 * k + 5, 8); ++z)
-                    for (int y = std::max(4 * j - 1, 0); y <= std::min(4 * j + 5, 13); ++y)
-                        for (int x = std::max(4 * i - 1, 0); x <= std::min(4 * i + 5, 20); ++x) {
-                            low = std::min(low, volume->at({x, y, z}));
-                            high = std::max(high, volume->at({x, y, z}));
-                        }
-                EXPECT_EQ(ranges.low[n], low);
-                EXPECT_EQ(ranges.high[n], high);
-            }
-    EXPECT_EQ(ranges.min, volume->statistics().min);
-    EXPECT_EQ(ranges.max, volume->statistics().max);
+    const auto [min, max] = finiteRange(bricksOf(*volume));
+    EXPECT_EQ(min, volume->statistics().min);
+    EXPECT_EQ(max, volume->statistics().max);
+    const auto none = sampled(Index3(5), [](const Vec3&) { return kNaN; });
+    EXPECT_EQ(finiteRange(bricksOf(*none)), std::pair(0.0, 0.0));
 }
 
 TEST(Visibility, NeverMissesAndFindsMostEmptyBoxes) {
     const auto volume = speckled({40, 30, 20}, 5, 12);
     TransferFunction f;
     f.opacity.points = {{0, 0}, {100, 1}};
-    const BrickRanges ranges = brickRanges(*volume, 0);
-    const Visibility visibility(ranges, makeTransferTable(f, ranges.min, ranges.max));
+    const ValueBricks bricks = bricksOf(*volume);
+    const auto [min, max] = finiteRange(bricks);
+    const Visibility visibility(bricks, makeTransferTable(f, min, max));
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
     int empty = 0, toldEmpty = 0;
@@ -70,9 +62,9 @@ TEST(Visibility, NeverMissesAndFindsMostEmptyBoxes) {
 
 TEST(Visibility, BricksWithoutNumbersAreNotVisible) {
     const auto volume = sampled(Index3(9), [](const Vec3& p) { return p.x < 0.3 ? kNaN : 500; });
-    const BrickRanges ranges = brickRanges(*volume, 0);
-    EXPECT_EQ(ranges.min, 500);
-    const Visibility visibility(ranges, makeTransferTable(constantAppearance(0.5, {1, 1, 1}), 500, 500));
+    const ValueBricks bricks = bricksOf(*volume);
+    EXPECT_EQ(finiteRange(bricks).first, 500);
+    const Visibility visibility(bricks, makeTransferTable(constantAppearance(0.5, {1, 1, 1}), 500, 500));
     EXPECT_FALSE(visibility.visible({{0, 0, 0}, {2, 2, 2}}));
     EXPECT_TRUE(visibility.visible({{6, 0, 0}, {7, 2, 2}}));
 }

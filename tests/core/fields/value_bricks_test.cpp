@@ -10,21 +10,21 @@ namespace voledit {
 namespace {
 
 template <class T>
-void expectRangesOfTheSamples(Index3 size, int channels) {
+void expectRangesOfTheSamples(Index3 size, int channels, int m = 0) {
     std::mt19937 random(1);
     VolumeGrid grid{size, channels, Mat4(1.0)};
     std::vector<T> values(grid.valueCount());
     for (T& v : values) v = T(random());
     const auto volume = Volume::fromValues(grid, values);
     for (int c = 0; c < channels; ++c) {
-        const ValueBricks& bricks = volume->bricks(c);
+        const ValueBricks bricks = m == 0 ? volume->bricks(c) : makeValueBricks(*volume, c, m);
         for (int k = 0; k < bricks.count.z; ++k)
             for (int j = 0; j < bricks.count.y; ++j)
                 for (int i = 0; i < bricks.count.x; ++i) {
                     double low = kInfinity, high = -kInfinity;
-                    for (int z = 4 * k; z <= std::min(4 * k + 4, size.z - 1); ++z)
-                        for (int y = 4 * j; y <= std::min(4 * j + 4, size.y - 1); ++y)
-                            for (int x = 4 * i; x <= std::min(4 * i + 4, size.x - 1); ++x) {
+                    for (int z = std::max(4 * k - m, 0); z <= std::min(4 * k + 4 + m, size.z - 1); ++z)
+                        for (int y = std::max(4 * j - m, 0); y <= std::min(4 * j + 4 + m, size.y - 1); ++y)
+                            for (int x = std::max(4 * i - m, 0); x <= std::min(4 * i + 4 + m, size.x - 1); ++x) {
                                 low = std::min(low, volume->at({x, y, z}, c));
                                 high = std::max(high, volume->at({x, y, z}, c));
                             }
@@ -42,6 +42,11 @@ TEST(ValueBricks, AreTheRangesOfTheSamplesOnAndWithinThem) {
     expectRangesOfTheSamples<std::uint8_t>({5, 4, 1}, 2);
     expectRangesOfTheSamples<std::int32_t>({8, 9, 10}, 1);
     expectRangesOfTheSamples<double>({3, 13, 5}, 3);
+}
+
+TEST(ValueBricks, MayOverlapByAMargin) {
+    expectRangesOfTheSamples<std::int16_t>({21, 14, 9}, 1, 1);
+    expectRangesOfTheSamples<float>({5, 1, 12}, 2, 3);
 }
 
 TEST(ValueBricks, CountIsThatOfTheGapsBetweenSamples) {
