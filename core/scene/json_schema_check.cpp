@@ -116,8 +116,9 @@ std::string described(const json& value) {
 struct JsonSchema::Check {
     JsonMistake* mistake;
 
+    /// Not inlined, since the texts of every message would then take room in each frame of a deep walk.
     template <class Words>
-    bool fail(const JsonPlace& place, const Words& words) const {
+    [[gnu::noinline]] bool fail(const JsonPlace& place, const Words& words) const {
         if (mistake) {
             const auto [what, remedy] = words();
             *mistake = {place.pointer(), what, remedy};

@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/scene/edits.h"
+#include "core/scene/limits.h"
+#include "core/scene/scene_json.h"
 #include "core/stf/affine.h"
 
 namespace voledit {
@@ -273,6 +275,22 @@ TEST(CompileReuse, AnotherVolumeOfTheSameNameIsNotTakenForTheOld) {
     const LoadedVolumes others = boxVolumes();
     const CompiledScene after = compile(scene, others, 0, &before);
     EXPECT_EQ(std::get<VolumeTerm>(after.root->node).volume, others.at("box"));
+}
+
+TEST(Compile, TheDeepestSceneThatAFileMayHoldCompilesAndIsSampled) {
+    Scene scene = boxScene();
+    const Placement step{{1, 0, 0}, Vec3(0), Vec3(1), std::nullopt};
+    for (std::size_t i = 2; i < kDeepestNesting; ++i) scene.root = Object{PlaceObject{step, scene.root}};
+    EXPECT_EQ(sceneFromJson(sceneToJson(scene), "/deep.voledit"), scene);
+    const CompiledScene compiled = compile(scene, boxVolumes(), 0, nullptr);
+    const double shift = double(kDeepestNesting - 2);
+    EXPECT_EQ(compiled.root->bounds, (Box3{{shift, 0, 0}, {shift + 8, 8, 8}}));
+    const std::vector<Vec3> p{{shift + 3, 1, 0}};
+    std::vector<ObjectSample> found(1);
+    sample(*compiled.root, p, found, true);
+    EXPECT_EQ(found[0].value, 12);
+    scene.root = Object{PlaceObject{step, Object{PlaceObject{step, scene.root}}}};
+    EXPECT_THROW(sceneFromJson(sceneToJson(scene), "/deep.voledit"), Error);
 }
 
 TEST(CompileErrors, NameTheAsset) {

@@ -135,7 +135,7 @@ std::vector<BadScene> badScenes() {
         {sceneWith(kVolume, R"("objects": {"a": {"use": "a"}}, )"), "/objects/a", "a cycle", ""},
         {transferBy(R"({"use": "s"})", R"("transfers": {"s": {"use": "t"}, "t": {"use": "s"}}, )"), "/transfers/s",
          "a cycle", ""},
-        {tooDeep, "/objects/o", "deeper than 1000 levels", "fewer levels"},
+        {tooDeep, "/objects/o", "deeper than 500 levels", "fewer levels"},
         {transferBy(R"({"type": "ffd", "cells": [1000, 1000, 1000]})"), "/root/by/cells", "1000000000 cells",
          "fewer cells"},
         {transferBy(R"([{"type": "ffd", "cells": [150, 150, 150]}, {"type": "ffd", "cells": [150, 150, 150]}])"),
