@@ -80,6 +80,24 @@ void numberEdges(CellMesh& mesh, std::span<const std::array<int, 2>> edgesOfCell
                                                     mesh.cellVertices[c + std::size_t(b)], mesh.edges));
 }
 
+/// Positions and sources of all vertices, and the lengths of their Jacobians' rows.
+void placeVertices(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource, CellMesh& mesh,
+                   std::span<Vec3> indexPerWorld) {
+    mesh.kind = CellMesh::Kind::Tetrahedron;
+    const std::size_t vertices = cells.deformed().size();
+    mesh.position.resize(vertices);
+    mesh.source.resize(vertices);
+    const Mat3 deformedFromWorld = glm::inverse(Mat3(worldFromDeformed));
+    parallelFor(vertices, 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const Mat3 jacobian = Mat3(indexFromSource) * cells.jacobians()[v] * deformedFromWorld;
+            mesh.position[v] = transformPoint(worldFromDeformed, cells.deformed()[v]);
+            mesh.source[v] = {Vec3f(transformPoint(indexFromSource, cells.source()[v])), Mat3f(jacobian)};
+            indexPerWorld[v] = rowLengths(jacobian);
+        }
+    });
+}
+
 }  // namespace
 
 bool canBeSeen(Box3 box, const Vec3& margin, const Box3& domain, const Visibility& visibility) {
@@ -122,23 +140,21 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
     return mesh;
 }
 
+CellMesh boxMesh(const Box3& box, const Mat4& worldFromBox) {
+    CellMesh mesh;
+    for (int c = 0; c < 8; ++c) {
+        mesh.position.push_back(transformPoint(worldFromBox, box.corner(c)));
+        mesh.cellVertices.push_back(std::uint32_t(c));
+    }
+    numberEdges(mesh, kBrickEdges);
+    return mesh;
+}
+
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
                          const VolumeGrid& grid, const Visibility& visibility, double slab) {
     CellMesh mesh;
-    mesh.kind = CellMesh::Kind::Tetrahedron;
-    const std::size_t vertices = cells.deformed().size();
-    mesh.position.resize(vertices);
-    mesh.source.resize(vertices);
-    std::vector<Vec3> indexPerWorld(vertices);
-    const Mat3 deformedFromWorld = glm::inverse(Mat3(worldFromDeformed));
-    parallelFor(vertices, 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            const Mat3 jacobian = Mat3(indexFromSource) * cells.jacobians()[v] * deformedFromWorld;
-            mesh.position[v] = transformPoint(worldFromDeformed, cells.deformed()[v]);
-            mesh.source[v] = {Vec3f(transformPoint(indexFromSource, cells.source()[v])), Mat3f(jacobian)};
-            indexPerWorld[v] = rowLengths(jacobian);
-        }
-    });
+    std::vector<Vec3> indexPerWorld(cells.deformed().size());
+    placeVertices(cells, worldFromDeformed, indexFromSource, mesh, indexPerWorld);
     const Box3 domain = grid.indexDomain();
     const auto tetrahedra = cells.tetrahedra();
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
@@ -156,6 +172,23 @@ CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed
         } else {
             ++mesh.culled;
         }
+    }
+    numberEdges(mesh, kTetrahedronEdges);
+    return mesh;
+}
+
+CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& entryFromSource,
+                         const std::vector<char>& seen) {
+    CellMesh mesh;
+    std::vector<Vec3> unused(cells.deformed().size());
+    placeVertices(cells, worldFromDeformed, entryFromSource, mesh, unused);
+    const auto tetrahedra = cells.tetrahedra();
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+        if (cells.determinants()[t] == 0) continue;
+        if (seen[t / 6])
+            mesh.cellVertices.insert(mesh.cellVertices.end(), tetrahedra[t].begin(), tetrahedra[t].end());
+        else
+            ++mesh.culled;
     }
     numberEdges(mesh, kTetrahedronEdges);
     return mesh;

@@ -16,7 +16,7 @@ namespace voledit {
 struct CellMesh {
     enum class Kind : std::uint8_t { Brick, Tetrahedron };
     /// Index coordinates and their derivative along the world's axes (columns), for tetrahedra; bricks have none, as
-    /// one matrix holds for all of them.
+    /// one matrix holds for all of them. Where other maps are located, their first's grid coordinates instead.
     struct Source {
         Vec3f index;
         Mat3f jacobian;
@@ -49,5 +49,13 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
 /// @param worldFromDeformed,indexFromSource  affine maps outside and inside the cells
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
                          const VolumeGrid& grid, const Visibility& visibility, double slab);
+
+/// The same where source coordinates go on to maps that fragments locate (located_maps.h).
+/// @param seen  one for each hexahedron: its tetrahedra are left out where it is 0
+CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& entryFromSource,
+                         const std::vector<char>& seen);
+
+/// One brick: `box` moved to the world by `worldFromBox`.
+CellMesh boxMesh(const Box3& box, const Mat4& worldFromBox);
 
 }  // namespace voledit

@@ -44,9 +44,9 @@ SlicePicture::SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, 
     resources.prepare(plan_, {workshop.options.cull, cullCells, slabDepth_ * view_.longestRay()});
     workshop.target.start(size);
     if (folded_) workshop.fold.resize(size);
-    addLayer(resources.mesh(), plan_.indexFromSource, scene);
+    addLayer(resources.mesh(), resources.entryFromSource(), scene);
     if (resources.uncovered())
-        addLayer(*resources.uncovered(), plan_.indexFromSource * glm::inverse(plan_.worldFromDeformed), scene);
+        addLayer(*resources.uncovered(), resources.entryFromSource() * glm::inverse(plan_.worldFromDeformed), scene);
     layOut();
     for (const Layer& layer : layers_)
         for (Program* program : layer.programs)
@@ -70,6 +70,7 @@ void SlicePicture::addLayer(const CellMesh& mesh, const Mat4& indexFromWorld, co
 Program& SlicePicture::programOf(bool mapped, int pass, const CompiledScene& scene) {
     const VolumeTerm& volume = *plan_.volume;
     SliceVariant variant{.mapped = mapped,
+                         .located = !plan_.located.empty(),
                          .shaded = scene.render.shading,
                          .gradientOpacity = !volume.appearance.gradientOpacity.points.empty(),
                          .realVoxels = isReal(volume.volume->type()),
@@ -134,6 +135,7 @@ void SlicePicture::setUniforms(Program& p, const Layer& layer, const CompiledSce
     p.set("gradientScale", float((TransferTable::kSize - 1) / table.gradientHigh));
     p.set("gradientUnit", float(texture.valueScale));
     p.set("restFromIndexGradient", Mat3f(glm::transpose(Mat3(volume.indexFromWorld()))));
+    p.set("locatedCount", int(plan_.located.size()));
     p.set("slabDepth", float(slabDepth_));
     p.set("opacityDistance", float(scene.opacityDistance));
     p.set("lighting", Vec4f(render.ambient, render.diffuse, render.specular, render.shininess));

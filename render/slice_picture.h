@@ -49,7 +49,7 @@ private:
     /// The bricks or the cells of this picture.
     struct Layer {
         bool mapped;
-        Mat4 indexFromWorld;  // for bricks
+        Mat4 indexFromWorld;  // for bricks; to grid coordinates where maps are located
         CellSlicer slicer;
         SliceGeometry* geometry;
         std::vector<SliceBatch>* batches;

@@ -7,6 +7,13 @@
 
 namespace voledit {
 
+namespace {
+[[noreturn]] void refuse(const TransferTerm& transfer, const std::string& cause) {
+    throw Error(transfer.name.empty() ? std::string("transfer") : "transfer \"" + transfer.name + "\"", cause,
+                "use --renderer rays");
+}
+}  // namespace
+
 SlicePlan planSlices(const TermPtr& root) {
     SlicePlan plan;
     plan.root = root;
@@ -15,13 +22,19 @@ SlicePlan planSlices(const TermPtr& root) {
     while (const auto* transfer = std::get_if<TransferTerm>(&term->node)) {
         if (const auto affine = transfer->by->affine()) {
             restFromWorld = *affine * restFromWorld;
-        } else if (transfer->by->cells() && !plan.forward) {
+        } else if (!transfer->by->cells()) {
+            refuse(*transfer, "slices cannot draw this kind of map");
+        } else if (!plan.forward) {
             plan.forward = transfer;
             plan.worldFromDeformed = glm::inverse(restFromWorld);
             restFromWorld = Mat4(1);
+        } else if (transfer->by->cells()->mayOverlap()) {
+            refuse(*transfer, "slices cannot draw a folded map below another one");
+        } else if (plan.located.size() == SlicePlan::kMostLocated) {
+            refuse(*transfer, "slices can draw " + std::to_string(SlicePlan::kMostLocated + 1) + " such maps at most");
         } else {
-            throw Error(transfer->name.empty() ? std::string("transfer") : "transfer \"" + transfer->name + "\"",
-                        "slices cannot draw this kind of map here", "use --renderer rays");
+            plan.located.push_back({transfer, restFromWorld});
+            restFromWorld = Mat4(1);
         }
         term = transfer->of.get();
     }

@@ -2,7 +2,25 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/base/error.h"
+
 namespace voledit {
+
+namespace {
+
+/// A buffer that fragments read. Throws Error where the driver's blocks are too small for it.
+template <class T>
+Buffer makeStorage(std::span<const T> values) {
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    if (GLint64(values.size_bytes()) > most)
+        throw Error("OpenGL", "the driver cannot hold the cells of a map below another one", "use --renderer rays");
+    Buffer buffer = makeBuffer();
+    fill(buffer, values, GL_STATIC_DRAW);
+    return buffer;
+}
+
+}  // namespace
 
 void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
     prepareVolume(*plan.volume);
@@ -11,6 +29,7 @@ void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
         visibility_.emplace(volume_->bricks, table_->table);
         mesh_.reset();
     }
+    prepareLocated(plan);
     prepareMesh(plan, cull);
 }
 
@@ -39,23 +58,64 @@ void SliceResources::prepareTable(const TransferFunction& function) {
     table_ = std::move(made);
 }
 
+bool SliceResources::holdsLocated(const SlicePlan& plan) const {
+    if (!located_) return plan.located.empty();
+    if (located_->sources.size() != plan.located.size() || located_->affine.back() != plan.indexFromSource)
+        return false;
+    for (std::size_t m = 0; m < plan.located.size(); ++m)
+        if (located_->sources[m].lock() != plan.located[m].transfer->by ||
+            located_->affine[m] != plan.located[m].deformedFromSource)
+            return false;
+    return true;
+}
+
+void SliceResources::prepareLocated(const SlicePlan& plan) {
+    if (holdsLocated(plan)) return;
+    mesh_.reset();
+    located_.reset();
+    if (plan.located.empty()) return;
+    const LocatedMaps maps = makeLocatedMaps(plan);
+    Located made;
+    for (const LocatedTransfer& located : plan.located) {
+        made.sources.push_back(located.transfer->by);
+        made.affine.push_back(located.deformedFromSource);
+    }
+    made.affine.push_back(plan.indexFromSource);
+    made.entryFromSource = maps.entryFromSource;
+    made.buffers = {makeStorage(std::span(maps.maps)), makeStorage(std::span(maps.cells)),
+                    makeStorage(std::span(maps.tetrahedra)), makeStorage(std::span(maps.corners)),
+                    makeStorage(std::span(maps.vertices))};
+    located_ = std::move(made);
+}
+
+CellMesh SliceResources::cellsOf(const SlicePlan& plan, const CullRequest& cull) const {
+    const Visibility everything;
+    const VolumeGrid& grid = plan.volume->volume->grid();
+    if (!plan.forward)
+        return brickMesh(grid, glm::inverse(plan.indexFromSource), cull.bricks ? *visibility_ : everything, cull.slab);
+    const Visibility& visibility = cull.cells ? *visibility_ : everything;
+    const MappedCells& cells = *plan.forward->by->cells();
+    if (located_)
+        return tetrahedronMesh(cells, plan.worldFromDeformed, located_->entryFromSource,
+                               hexahedraSeen(plan, visibility, cull.slab));
+    return tetrahedronMesh(cells, plan.worldFromDeformed, plan.indexFromSource, grid, visibility, cull.slab);
+}
+
+CellMesh SliceResources::uncoveredOf(const SlicePlan& plan, const CullRequest& cull) const {
+    if (located_) return boxMesh(plan.forward->of->bounds, plan.worldFromDeformed);
+    return brickMesh(plan.volume->volume->grid(), plan.worldFromDeformed * glm::inverse(plan.indexFromSource),
+                     cull.bricks ? *visibility_ : Visibility(), cull.slab);
+}
+
 void SliceResources::prepareMesh(const SlicePlan& plan, const CullRequest& cull) {
     const TransferPtr source = plan.forward ? plan.forward->by : nullptr;
     if (mesh_ && mesh_->mapped == (source != nullptr) && mesh_->source.lock() == source &&
         mesh_->worldFromDeformed == plan.worldFromDeformed && mesh_->indexFromSource == plan.indexFromSource &&
         mesh_->cull == cull)
         return;
-    const Visibility everything;
-    const VolumeGrid& grid = plan.volume->volume->grid();
-    const auto bricks = [&](const Mat4& worldFromSource) {
-        return brickMesh(grid, worldFromSource * glm::inverse(plan.indexFromSource),
-                         cull.bricks ? *visibility_ : everything, cull.slab);
-    };
     Meshes made{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, {}, {}};
-    made.mesh = source ? tetrahedronMesh(*source->cells(), plan.worldFromDeformed, plan.indexFromSource, grid,
-                                         cull.cells ? *visibility_ : everything, cull.slab)
-                       : bricks(Mat4(1));
-    if (source && source->outside() == Outside::Keep) made.uncovered = bricks(plan.worldFromDeformed);
+    made.mesh = cellsOf(plan, cull);
+    if (source && source->outside() == Outside::Keep) made.uncovered = uncoveredOf(plan, cull);
     mesh_ = std::move(made);
 }
 
@@ -64,6 +124,9 @@ void SliceResources::bind() const {
     glBindTextureUnit(1, table_->thickness.name());
     glBindTextureUnit(2, table_->color.name());
     glBindTextureUnit(3, table_->gradient.name());
+    if (!located_) return;
+    for (std::size_t n = 0; n < located_->buffers.size(); ++n)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(n), located_->buffers[n].name());
 }
 
 }  // namespace voledit

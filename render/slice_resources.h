@@ -6,6 +6,7 @@
 
 #include "render/cell_mesh.h"
 #include "render/gl_objects.h"
+#include "render/located_maps.h"
 #include "render/slice_plan.h"
 #include "render/transfer_table.h"
 #include "render/visibility.h"
@@ -30,11 +31,15 @@ public:
     const VolumeTexture& volume() const { return volume_->texture; }
     const TransferTable& table() const { return table_->table; }
     const Visibility& visibility() const { return *visibility_; }
+    /// From the source space of the outermost forward map (the world, without one) to what the cells carry: index
+    /// coordinates, or the grid coordinates of the first located map.
+    Mat4 entryFromSource() const { return located_ ? located_->entryFromSource : mesh_->indexFromSource; }
     /// The outermost forward map's cells; without one, the volume's bricks.
     const CellMesh& mesh() const { return mesh_->mesh; }
     /// Bricks of the operand where it stands, for a map that keeps what is outside its cells; else null.
     const CellMesh* uncovered() const { return mesh_->uncovered ? &*mesh_->uncovered : nullptr; }
-    /// Binds the volume and the tables to texture units 0…3: volume, thickness, colour, gradient factor.
+    /// Binds the volume and the tables to texture units 0…3: volume, thickness, colour, gradient factor; located maps
+    /// to the storage buffers of shaders/common/located.glsl.
     void bind() const;
 
 private:
@@ -51,6 +56,12 @@ private:
         TransferTable table;
         Texture thickness, color, gradient;
     };
+    struct Located {
+        std::vector<std::weak_ptr<const SpatialTransferFunction>> sources;
+        std::vector<Mat4> affine;  // between them, and after the last
+        Mat4 entryFromSource;
+        std::array<Buffer, 5> buffers;
+    };
     struct Meshes {
         std::weak_ptr<const SpatialTransferFunction> source;
         bool mapped;
@@ -62,12 +73,17 @@ private:
 
     void prepareVolume(const VolumeTerm& term);
     void prepareTable(const TransferFunction& function);
+    void prepareLocated(const SlicePlan& plan);
+    bool holdsLocated(const SlicePlan& plan) const;
+    CellMesh cellsOf(const SlicePlan& plan, const CullRequest& cull) const;
+    CellMesh uncoveredOf(const SlicePlan& plan, const CullRequest& cull) const;
     void prepareMesh(const SlicePlan& plan, const CullRequest& cull);
 
     std::optional<Volumes> volume_;
     std::optional<Tables> table_;
     std::optional<Visibility> visibility_;  // of volume_ and table_
-    std::optional<Meshes> mesh_;            // of visibility_
+    std::optional<Located> located_;
+    std::optional<Meshes> mesh_;  // of visibility_ and located_
 };
 
 }  // namespace voledit

@@ -9,6 +9,7 @@ namespace {
 std::vector<std::string> commonDefines(const SliceVariant& variant) {
     std::vector<std::string> defines;
     if (variant.mapped) defines.push_back("MAPPED");
+    if (variant.located) defines.push_back("LOCATED");
     if (variant.shaded) defines.push_back("SHADED");
     if (variant.gradientOpacity) defines.push_back("GRADIENT_OPACITY");
     if (variant.realVoxels) defines.push_back("REAL_VOXELS");
@@ -42,12 +43,13 @@ std::vector<ProgramVariant> allPrograms() {
     std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}, {"overlay.vert", "overlay.frag", {}}};
     const std::array<Combine, 4> combines{Combine::Union, Combine::Merge, Combine::Intersection, Combine::First};
     for (const Combine combine : combines) programs.push_back(foldCompositeVariant(combine));
-    for (int bits = 0; bits < 16; ++bits) {
+    for (int bits = 0; bits < 32; ++bits) {
         const SliceVariant variant{.mapped = (bits & 1) != 0,
+                                   .located = (bits & 16) != 0,
                                    .shaded = (bits & 2) != 0,
                                    .gradientOpacity = (bits & 4) != 0,
                                    .realVoxels = (bits & 8) != 0};
-        programs.push_back(sliceVariant(variant));
+        if (variant.mapped || !variant.located) programs.push_back(sliceVariant(variant));
         for (const Combine combine : combines)
             for (const int pass : {0, 1})
                 for (const bool cover : {false, true}) programs.push_back(foldVariant(variant, combine, pass, cover));

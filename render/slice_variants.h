@@ -9,7 +9,8 @@
 namespace voledit {
 
 struct SliceVariant {
-    bool mapped = false;  // polygons carry source coordinates and Jacobians
+    bool mapped = false;   // polygons carry source coordinates and Jacobians
+    bool located = false;  // fragments locate their points in further maps
     bool shaded = true;
     bool gradientOpacity = false;
     bool realVoxels = false;           // voxels may be NaN

@@ -1,7 +1,7 @@
 #version 450 core
 // fold.frag: one pre-image of a fragment of a slice where several may lie upon each other. Depth picks one of them:
 // 1 - opacity, or with FIRST the same for all, so that the first drawn stays.
-//   variants  MAPPED, SHADED, GRADIENT_OPACITY, REAL_VOXELS   as slice.frag has them
+//   variants  MAPPED, LOCATED, SHADED, GRADIENT_OPACITY, REAL_VOXELS   as slice.frag has them
 //             COVER   pre-images with nothing to be seen are drawn too, as they hide or cover others
 //             FIRST   depth is left as it is
 //             ADD     colour times opacity, and opacity, to be summed
@@ -11,6 +11,9 @@
 #include "common/slice_input.glsl"
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
+#ifdef LOCATED
+#include "common/located.glsl"
+#endif
 
 layout(location = 0) out vec4 sampled;
 layout(location = 1) out vec4 lit;
@@ -22,9 +25,15 @@ void main() {
     vec3 ray, index, perDepth;
     mat3 jacobian;
     readSlice(ray, index, perDepth, jacobian);
+#ifdef LOCATED
+    uint hint[kMostLocated] = noHints();
+    bool inside = locate(index, hint, index, jacobian);
+#else
+    bool inside = insideVolume(index);
+#endif
     float raw = rawAt(index);
     float entry = entryOf(raw);
-    float thickness = insideVolume(index) ? thicknessAt(entry) : 0.0;
+    float thickness = inside ? thicknessAt(entry) : 0.0;
 #ifdef REAL_VOXELS
     if (!isNumber(raw)) thickness = 0.0;
 #endif

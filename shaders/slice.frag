@@ -1,6 +1,7 @@
 #version 450 core
 // slice.frag: one fragment of a slab, the piece of the view ray that one slice stands for.
 //   variants  MAPPED            index coordinates and Jacobian come from the polygon; else from one matrix
+//             LOCATED           those are grid coordinates of a further map, in which each point is located
 //             SHADED            Blinn-Phong by the gradient
 //             GRADIENT_OPACITY  a factor on opacity over the gradient's magnitude
 //             REAL_VOXELS       the volume holds floats, which may be NaN: nothing is seen there
@@ -11,6 +12,12 @@
 #include "common/slice_input.glsl"
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
+#ifdef LOCATED
+#include "common/located.glsl"
+#include "common/located_ray.glsl"
+#else
+#include "common/slab_ray.glsl"
+#endif
 #include "term/volume_slab.glsl"
 
 layout(location = 0) out vec4 color;
@@ -19,9 +26,10 @@ void main() {
     vec3 ray, index, perDepth;
     mat3 jacobian;
     readSlice(ray, index, perDepth, jacobian);
+    SlabRay at = slabRay(index, perDepth, jacobian);
 #ifdef MAPPED
-    if (!insideVolume(index)) discard;
+    if (!indexOn(at, 0.0, index) || !insideVolume(index)) discard;
 #endif
-    color = volumeSlab(index, perDepth, ray, jacobian);
+    color = volumeSlab(at, ray);
     if (color.a == 0.0) discard;
 }
