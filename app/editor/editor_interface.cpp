@@ -89,7 +89,7 @@ void Editor::drawInterface() {
     guarded([&] { drawMenus(); });
     guarded([&] { drawPanels(); });
     guarded([&] { drawStatus(); });
-    guarded([&] { noticeList_.draw(workspace_); });
+    guarded([&] { noticeList_.draw(workspace_, workspace_.overlays ? layout_.view : layout_.panels); });
     guarded([&] { drawShortcuts(); });
     guarded([&] { files_.draw(); });
 }
@@ -165,12 +165,12 @@ void Editor::drawMenus() {
                  choiceMenu(actions, "Interface size", "view.scale", kScales, scale.data());
              });
         menu(actions, "Lattice",
-             {"lattice.add", "lattice.remove", "-", "lattice.enable", "lattice.reset", "-", "tool.grab"}, [&] {
-                 std::vector<std::pair<std::string, std::string>> looks{{"grey-ramp", "Grey ramp"}};
-                 for (const Preset& preset : presets()) looks.emplace_back(preset.name, preset.title);
-                 ImGui::Separator();
-                 choiceMenu(actions, "Appearance", "appearance.preset", looks, "");
-             });
+             {"lattice.add", "lattice.remove", "-", "lattice.enable", "lattice.reset", "-", "tool.grab"});
+        menu(actions, "Volume", {}, [&] {
+            std::vector<std::pair<std::string, std::string>> looks{{"grey-ramp", "Grey ramp"}};
+            for (const Preset& preset : presets()) looks.emplace_back(preset.name, preset.title);
+            choiceMenu(actions, "Appearance", "appearance.preset", looks, "");
+        });
         menu(actions, "Help", {"help.shortcuts"});
         ImGui::EndDisabled();
         ImGui::EndMenuBar();

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kUnsaved = "Unsaved changes";
+constexpr const char* kOutside = "Files outside the folder";
 
 double aspectOf(const Workspace& workspace) {
     return double(std::max(1, workspace.viewSize.x)) / std::max(1, workspace.viewSize.y);
@@ -129,10 +130,12 @@ void Files::chosen(const fs::path& path) {
 
 // ---- Loading ------------------------------------------------------------------------------------------------------
 
-void Files::startLoading(const fs::path& path) {
+void Files::startLoading(const fs::path& path, bool allowOutside) {
     loadingSince_ = workspace_.clock;
     loadProblem_.clear();
-    loader_.start(path, options_);
+    OpenOptions options = options_;
+    options.scene.allowOutside |= allowOutside;
+    loader_.start(path, options);
 }
 
 bool Files::poll() {
@@ -143,7 +146,7 @@ bool Files::poll() {
     } catch (const Error& error) {
         loadProblem_ = error.what();
     }
-    if (!loadProblem_.empty()) workspace_.notify(Notice::Kind::Problem, loadProblem_);
+    if (!loadProblem_.empty() && !askOutside_) workspace_.notify(Notice::Kind::Problem, loadProblem_);
     return true;
 }
 
@@ -154,6 +157,8 @@ void Files::takeOver(Loader::Result result) {
     }
     if (!result.opened) {
         loadProblem_ = result.problem;
+        askOutside_ = result.outside;
+        if (askOutside_) outsideScene_ = result.path;
         return;
     }
     OpenedScene& opened = *result.opened;
@@ -190,8 +195,8 @@ void Files::warnOfOutsideFiles(const fs::path& path) {
         const fs::path relative = file.lexically_relative(folder);
         if (!relative.empty() && *relative.begin() != "..") continue;
         workspace_.notify(Notice::Kind::Warning, file.string() +
-                                                     " lies outside the scene's folder: opening the scene "
-                                                     "needs --allow-outside, or the file copied beside it");
+                                                     " lies outside the scene's folder: opening the scene will "
+                                                     "ask first, and the command line needs --allow-outside");
     }
 }
 
@@ -199,6 +204,7 @@ void Files::warnOfOutsideFiles(const fs::path& path) {
 
 void Files::draw() {
     drawUnsavedChanges();
+    drawOutsideFiles();
     if (const auto path = browser_.draw(workspace_.scale))
         chosen(*path);
     else if (!browser_.visible() && asking_ != Asking::Nothing) {
@@ -238,6 +244,32 @@ void Files::drawUnsavedChanges() {
         next_ = std::move(next);
     else if (next)
         next();
+}
+
+// A stranger's scene should not reach the user's other files unasked (scene-format.md §1).
+void Files::drawOutsideFiles() {
+    if (std::exchange(askOutside_, false)) ImGui::OpenPopup(kOutside);
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * size.x, 0.5f * size.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSize(ImVec2(std::min(520 * workspace_.scale, size.x), 0));
+    if (!ImGui::BeginPopupModal(kOutside, nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+        return;
+    const WidgetScope scope(kOutside);
+    ImGui::TextWrapped("%s names files outside its folder. Open it if you trust where it comes from.",
+                       outsideScene_.filename().string().c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
+    ImGui::TextWrapped("%s", loadProblem_.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Dummy(ImVec2(0, ImGui::GetStyle().ItemSpacing.y));
+    const bool appearing = ImGui::IsWindowAppearing();
+    const bool trust = ui::button("Open anyway", "Opens it with the files outside its folder (Enter)") ||
+                       (!appearing && keyPressed(Key::Enter));
+    ImGui::SameLine();
+    const bool cancel = ui::button("Cancel", "Leaves it closed (Escape)") || (!appearing && keyPressed(Key::Escape));
+    if (trust || cancel) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    if (trust) startLoading(outsideScene_, true);
 }
 
 void Files::drawProgress() {

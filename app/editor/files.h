@@ -49,12 +49,13 @@ public:
 private:
     enum class Asking : unsigned char { Nothing, Open, SaveAs, Screenshot };
     void ask(Asking what);
-    void startLoading(const std::filesystem::path& path);
+    void startLoading(const std::filesystem::path& path, bool allowOutside = false);
     void takeOver(Loader::Result result);
     void writeScene(const std::filesystem::path& path);
     void warnOfOutsideFiles(const std::filesystem::path& path);
     void afterUnsavedChanges(std::function<void()> next);
     void drawUnsavedChanges();
+    void drawOutsideFiles();
     void drawProgress();
     void chosen(const std::filesystem::path& path);
 
@@ -68,6 +69,8 @@ private:
     std::filesystem::path lastFolder_;
     std::function<void()> next_;  // what waits for an answer about unsaved changes
     bool askUnsaved_ = false;
+    std::filesystem::path outsideScene_;  // refused for files outside its folder; waits for the user's word
+    bool askOutside_ = false;
     bool quit_ = false;
     std::vector<std::filesystem::path> screenshots_;
 };

@@ -24,6 +24,9 @@ struct Loader::Job {
             result.opened = openFile(io, result.path, options, &progress);
         } catch (const Cancelled&) {
             result.cancelled = true;
+        } catch (const OutsideFolderError& error) {
+            result.problem = error.what();
+            result.outside = true;
         } catch (const std::bad_alloc&) {
             result.problem =
                 result.path.string() + ": not enough memory; close other programs, or open a smaller volume";

@@ -25,6 +25,7 @@ public:
         std::filesystem::path path;
         std::optional<OpenedScene> opened;
         std::string problem;
+        bool outside = false;  // a scene that names files outside its folder: it can be opened if the user allows it
         bool cancelled = false;
     };
 

@@ -36,23 +36,23 @@ Vec4f colorOf(Notice::Kind kind) {
 
 }  // namespace
 
-void NoticeList::draw(const Workspace& workspace) {
+void NoticeList::draw(const Workspace& workspace, const PixelRect& area) {
     const auto& notices = workspace.notices;
-    float bottom = float(workspace.viewOrigin.y + workspace.viewSize.y) - 10 * workspace.scale;
+    float bottom = float(area.origin.y + area.size.y) - 10 * workspace.scale;
     std::size_t shown = 0;
     for (std::size_t n = notices.size(); n-- > 0 && shown < kMostShown;) {
         if (closed_.contains(n) || workspace.clock - notices[n].time > secondsOf(notices[n].kind)) continue;
         ++shown;
-        if (drawOne(workspace, n, bottom)) closed_.insert(n);
+        if (drawOne(workspace, area, n, bottom)) closed_.insert(n);
     }
 }
 
-bool NoticeList::drawOne(const Workspace& workspace, std::size_t index, float& bottom) {
+bool NoticeList::drawOne(const Workspace& workspace, const PixelRect& area, std::size_t index, float& bottom) {
     const Notice& notice = workspace.notices[index];
     const float scale = workspace.scale, margin = 10 * scale;
-    const float width = std::min(460 * scale, float(workspace.viewSize.x) - 2 * margin);
+    const float width = std::min(460 * scale, float(area.size.x) - 2 * margin);
     if (width < 60 * scale) return false;
-    ImGui::SetNextWindowPos(ImVec2(float(workspace.viewOrigin.x) + margin, bottom), ImGuiCond_Always, ImVec2(0, 1));
+    ImGui::SetNextWindowPos(ImVec2(float(area.origin.x) + margin, bottom), ImGuiCond_Always, ImVec2(0, 1));
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |

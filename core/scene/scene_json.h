@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/base/error.h"
 #include "core/scene/scene.h"
 
 namespace voledit {
@@ -11,6 +12,12 @@ namespace voledit {
 struct SceneFileOptions {
     /// Allows absolute paths and `..` in assets. Saving keeps such paths as they are.
     bool allowOutside = false;
+};
+
+/// A scene names a file outside its folder and `allowOutside` was not set: a user may be asked and try again.
+class OutsideFolderError : public Error {
+public:
+    using Error::Error;
 };
 
 /// Parses and checks `text` against resources/scene.schema.json and the rules that a schema cannot say (names that

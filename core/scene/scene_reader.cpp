@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/scene/json_schema.h"
 #include "core/scene/limits.h"
+#include "core/scene/scene_json.h"
 
 namespace voledit {
 
@@ -43,8 +44,9 @@ Asset SceneReader::asset(const JsonView& view) const {
     result.path = view.value["path"].get<std::string>();
     const std::string wrong = checkAssetPath_(result.path);
     if (!wrong.empty())
-        fail(view["path"].place, described(view.value["path"]) + " " + wrong,
-             "move the file beside the scene, or open the scene with --allow-outside");
+        throw OutsideFolderError(file_ + ": " + view["path"].place.pointer(),
+                                 described(view.value["path"]) + " " + wrong,
+                                 "move the file beside the scene, or open the scene with --allow-outside");
     return result;
 }
 

@@ -108,7 +108,7 @@ void opacityDistance(Workspace& workspace) {
     format.min = 1e-6;
     format.decimals = distance < 0.1 ? 4 : 2;
     format.speed = distance / 100;
-    const Edit edit = ui::number("Density length", distance, format,
+    const Edit edit = ui::number("Opacity distance", distance, format,
                                  "The length of material that has the opacity drawn above. Shorter is denser.");
     applyEdit(document, edit, "Change density", [&](Scene& scene) { setOpacityDistance(scene, distance); });
 }

@@ -156,9 +156,20 @@ void ViewportPicture::present(const SourceTexture& texture) {
     level_ = working_;
 }
 
+double ViewportPicture::drawOrLeaveToRays(const CompiledScene& scene, int level) {
+    if (!rays_) {
+        try {
+            return drawLevel(source(false), scene, level);
+        } catch (const Error&) {
+            rays_ = true;  // slices cannot draw this term
+        }
+    }
+    return drawLevel(source(true), scene, level);
+}
+
 void ViewportPicture::drawPreview(const CompiledScene& scene) {
+    const double took = drawOrLeaveToRays(scene, previewLevel_[rays_ ? 1 : 0]);
     int& level = previewLevel_[rays_ ? 1 : 0];
-    const double took = drawLevel(source(rays_), scene, level);
     if (took > kTooSlowMs)
         level = std::min(level + (took > 4 * kTooSlowMs ? 2 : 1), kCoarsest);
     else if (took < kFastMs)
@@ -191,7 +202,7 @@ void ViewportPicture::finish(const CompiledScene& scene, Index2 size, RendererCh
     rays_ = wantRays(scene, choice);
     wanted_ = std::move(wanted);
     refining_ = false;
-    drawLevel(source(rays_), scene, 0);
+    drawOrLeaveToRays(scene, 0);
 }
 
 double ViewportPicture::progress() const {

@@ -57,6 +57,7 @@ private:
     double drawLevel(PictureSource& source, const CompiledScene& scene, int level);
     void begin(PictureSource& source, const CompiledScene& scene, int level);
     void present(const SourceTexture& texture);
+    double drawOrLeaveToRays(const CompiledScene& scene, int level);
     void drawPreview(const CompiledScene& scene);
     PictureSource& source(bool rays);
 

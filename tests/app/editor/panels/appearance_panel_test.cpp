@@ -167,7 +167,7 @@ TEST_F(AppearancePanelTest, EditingAPresetKeepsItsOtherTables) {
 
 TEST_F(AppearancePanelTest, DensityLengthIsTheScenesOpacityDistance) {
     ui.frame();
-    ui.enter("Density length", "2.5");
+    ui.enter("Opacity distance", "2.5");
     EXPECT_EQ(document().scene().opacityDistance, 2.5);
 }
 
