@@ -4,17 +4,18 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 
 namespace voledit {
 
 void CommonArguments::apply() const {
     if (threads < 0 || threads > 4096) throw UsageError("--threads: give a number from 1 to 4096");
-    if (!memoryLimit.empty()) parseBytes(memoryLimit, "--memory-limit");
     setThreadCount(threads);
+    if (!memoryLimit.empty()) setMemoryLimit(parseBytes(memoryLimit, "--memory-limit"));
 }
 
-OpenOptions InputArguments::options(const CommonArguments& common) const {
+OpenOptions InputArguments::options() const {
     OpenOptions options;
     options.scene.allowOutside = allowOutside;
     if (!raw.empty()) {
@@ -25,7 +26,9 @@ OpenOptions InputArguments::options(const CommonArguments& common) const {
         }
     }
     if (!spacing.empty()) options.read.spacing = parseSpacing(spacing, "--spacing");
-    if (!common.memoryLimit.empty()) options.read.memoryLimit = parseBytes(common.memoryLimit, "--memory-limit");
+    // Headerless voxels may be given theirs by either flag.
+    if (options.read.raw && options.read.spacing && options.read.raw->spacing == Vec3(1))
+        options.read.raw->spacing = *options.read.spacing;
     return options;
 }
 
@@ -49,11 +52,37 @@ void addInputArguments(CLI::App& command, InputArguments& arguments, const std::
 
 OpenedScene open(IoClient& io, const InputArguments& input, const CommonArguments& common) {
     OpenedScene opened;
-    const OpenOptions options = input.options(common);
+    const OpenOptions options = input.options();
     withProgress("Reading " + input.file, common.verbosity(),
                  [&](Progress* progress) { opened = openFile(io, input.file, options, progress); });
     printWarnings(opened.warnings);
     return opened;
+}
+
+void refuseMotion(const std::string& path) {
+    const std::filesystem::path ending = std::filesystem::path(path).extension();
+    if (ending == ".bvh" || ending == ".BVH")
+        throw Error(path, "motion files are not built yet in this version", "name a volume");
+}
+
+VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const CommonArguments& common) {
+    refuseMotion(input.file);
+    const OpenOptions options = input.options();
+    VolumeFile file;
+    withProgress("Reading " + input.file, common.verbosity(),
+                 [&](Progress* progress) { file = io.readVolume(input.file, options.read, progress); });
+    printWarnings(file.warnings);
+    return file;
+}
+
+CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, double time, double aspect) {
+    const Timeline& timeline = opened.scene.timeline;
+    try {
+        return compile(opened.scene, opened.volumes, std::isnan(time) ? timeline.start / timeline.fps : time, nullptr,
+                       aspect);
+    } catch (const Error& error) {
+        throw Error(input.file + ": " + error.what());
+    }
 }
 
 namespace {

@@ -29,7 +29,7 @@ struct CommonArguments {
     std::string memoryLimit;
 
     Verbosity verbosity() const { return quiet ? Verbosity::Quiet : verbose ? Verbosity::Verbose : Verbosity::Normal; }
-    /// Applies threads. Throws UsageError.
+    /// Applies threads and the memory limit to this process. Throws UsageError.
     void apply() const;
 };
 
@@ -40,12 +40,21 @@ struct InputArguments {
     std::string raw, spacing;
 
     /// Throws UsageError for a malformed value.
-    OpenOptions options(const CommonArguments& common) const;
+    OpenOptions options() const;
 };
 
 void addCommonArguments(CLI::App& command, CommonArguments& arguments);
 /// `name`: what the positional is called in the help.
 void addInputArguments(CLI::App& command, InputArguments& arguments, const std::string& name);
+
+/// Compiles an opened scene at `time`, the timeline's start where that is NaN. Throws Error that names `input`'s file.
+CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, double time, double aspect = 4.0 / 3.0);
+
+/// Throws Error for the name of a motion file.
+void refuseMotion(const std::string& path);
+
+/// Reads a volume with a progress bar and prints its warnings. Throws Error.
+VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const CommonArguments& common);
 
 /// Opens a scene or volume with a progress bar and prints its warnings.
 OpenedScene open(IoClient& io, const InputArguments& input, const CommonArguments& common);

@@ -102,7 +102,7 @@ int bench(BenchArguments a, const CommonArguments& common) {
     json["size"] = {size.x, size.y};
     json["threads"] = threadCount();
     json["read_ms"] = reading;
-    const CompiledScene compiled = compile(opened.scene, opened.volumes, 0, nullptr, double(size.x) / size.y);
+    const CompiledScene compiled = compileAt(opened, a.input, 0, double(size.x) / size.y);
     for (const std::string renderer : {"slices", "rays"}) {
         if (!a.renderer.empty() && a.renderer != renderer) continue;
         const auto drawing = makeDrawing(renderer, a.gl);

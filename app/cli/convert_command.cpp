@@ -13,14 +13,12 @@ Command addConvertCommand(CLI::App& command, const CommonArguments& common) {
     addInputArguments(command, *input, "input");
     command.add_option("output", *output, "Volume to write: .nrrd .nhdr .nii .nii.gz .mhd .mha .vdb")->required();
     return [input, output, &common] {
-        checkWritable(*output);
+        refuseMotion(input->file);
+        checkVolumeWritable(*output);
         IoClient io;
-        const OpenOptions options = input->options(common);
-        withProgress("Converting", common.verbosity(), [&](Progress* progress) {
-            const VolumeFile file = io.readVolume(input->file, options.read, progress);
-            printWarnings(file.warnings);
-            io.writeVolume(*file.volume, *output, progress);
-        });
+        const VolumeFile file = readVolumeFile(io, *input, common);
+        withProgress("Writing " + *output, common.verbosity(),
+                     [&](Progress* progress) { io.writeVolume(*file.volume, *output, progress); });
         return 0;
     };
 }

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "core/base/error.h"
 #include "core/scene/edits.h"
 
 namespace voledit {
@@ -39,9 +38,9 @@ Json describe(const VolumeFile& file) {
     return json;
 }
 
-Json describe(const OpenedScene& opened) {
+Json describe(const OpenedScene& opened, const InputArguments& input) {
     const Scene& scene = opened.scene;
-    const CompiledScene compiled = compile(scene, opened.volumes, scene.timeline.start / scene.timeline.fps, nullptr);
+    const CompiledScene compiled = compileAt(opened, input, kNaN);
     Json json;
     json["kind"] = "scene";
     json["format"] = "voledit";
@@ -79,19 +78,12 @@ void printTable(const Json& json) {
 }
 
 int info(const InputArguments& input, bool asJson, const CommonArguments& common) {
-    if (std::filesystem::path(input.file).extension() == ".bvh")
-        throw Error(input.file, "motion files are not built yet in this version", "give a volume or a scene");
     IoClient io;
     Json json;
     if (isSceneFile(input.file)) {
-        json = describe(open(io, input, common));
+        json = describe(open(io, input, common), input);
     } else {
-        const OpenOptions options = input.options(common);
-        VolumeFile file;
-        withProgress("Reading " + input.file, common.verbosity(),
-                     [&](Progress* progress) { file = io.readVolume(input.file, options.read, progress); });
-        printWarnings(file.warnings);
-        json = describe(file);
+        json = describe(readVolumeFile(io, input, common));
     }
     if (asJson)
         std::cout << json.dump(2) << "\n";

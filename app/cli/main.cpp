@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <map>
 
@@ -30,8 +31,7 @@ constexpr Description kCommands[] = {
 };
 
 /// Commands of the contract that this version lacks.
-const std::map<std::string, std::string> kNotYet = {{"animate", "rendering a scene's frames"},
-                                                    {"pose", "poses of a motion file"}};
+const std::map<std::string, std::string> kNotYet = {{"animate", "animations"}, {"pose", "poses of a motion file"}};
 
 int runCommand(int argc, char** argv) {
     CLI::App app{"voledit: deforms volumes directly, without resampling them", "voledit"};
@@ -39,6 +39,7 @@ int runCommand(int argc, char** argv) {
     app.require_subcommand(1);
     std::map<CLI::App*, Command> commands;
     CommonArguments common;
+    addCommonArguments(app, common);
     for (const Description& d : kCommands) {
         CLI::App* command = app.add_subcommand(d.name, d.text);
         addCommonArguments(*command, common);
@@ -53,12 +54,43 @@ int runCommand(int argc, char** argv) {
     return commands.at(app.get_subcommands().front())();
 }
 
-/// `voledit [FILE…]` is `voledit edit [FILE…]`.
 bool namesCommand(const std::string& word) {
     if (word == "--help" || word == "-h" || word == "--version") return true;
     for (const Description& d : kCommands)
         if (word == d.name) return true;
     return false;
+}
+
+/// Where the command stands, or would stand: behind the flags that every command takes.
+std::size_t commandPosition(const std::vector<char*>& arguments) {
+    std::size_t at = 1;
+    while (at < arguments.size()) {
+        const std::string word = arguments[at];
+        if (word == "--threads" || word == "--memory-limit")
+            at += 2;
+        else if (word == "--quiet" || word == "--verbose" || word.starts_with("--threads=") ||
+                 word.starts_with("--memory-limit="))
+            ++at;
+        else
+            break;
+    }
+    return std::min(at, arguments.size());
+}
+
+/// `voledit [FILE…]` is `voledit edit [FILE…]`. Throws Error for a word that is neither a command nor a file.
+void completeCommand(std::vector<char*>& arguments) {
+    static char edit[] = "edit";
+    const std::size_t at = commandPosition(arguments);
+    const std::string word = at < arguments.size() ? arguments[at] : "";
+    if (const auto later = kNotYet.find(word); later != kNotYet.end())
+        throw Error("voledit " + word, later->second + " are not built yet in this version",
+                    "see voledit --help for what is");
+    if (namesCommand(word)) return;
+    std::error_code ignored;
+    if (!word.empty() && word[0] != '-' && word.find_first_of("*%") == std::string::npos &&
+        !std::filesystem::exists(word, ignored))
+        throw Error(word, "there is no such file, and no such command", "check the name, or see voledit --help");
+    arguments.insert(arguments.begin() + std::ptrdiff_t(at), edit);
 }
 
 }  // namespace
@@ -67,12 +99,8 @@ int main(int argc, char** argv) {
     // A reader that went away (a closed pipe) shows as a failed write, not as a death.
     std::signal(SIGPIPE, SIG_IGN);
     try {
-        if (argc > 1 && kNotYet.contains(argv[1]))
-            throw Error("voledit " + std::string(argv[1]) + ": " + kNotYet.at(argv[1]) +
-                        " is not built yet in this version; see voledit --help for what is");
         std::vector<char*> arguments(argv, argv + argc);
-        std::string edit = "edit";
-        if (argc < 2 || !namesCommand(argv[1])) arguments.insert(arguments.begin() + 1, edit.data());
+        completeCommand(arguments);
         return runCommand(static_cast<int>(arguments.size()), arguments.data());
     } catch (const UsageError& error) {
         std::cerr << "voledit: " << error.what() << "\n";

@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -21,6 +24,17 @@ void checkWritable(const fs::path& path) {
     if (fs::is_directory(path)) throw Error(path.string(), "is a folder", "name a file");
     if (access(folder.c_str(), W_OK) != 0)
         throw Error(path.string(), "its folder cannot be written to", "choose another place or change its permissions");
+}
+
+void checkVolumeWritable(const fs::path& path) {
+    std::string name = path.filename().string();
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const auto isEnding = [&](const char* ending) { return name.ends_with(ending); };
+    constexpr std::array kEndings{".nrrd", ".nhdr", ".nii", ".nii.gz", ".mha", ".mhd", ".vdb"};
+    if (std::none_of(kEndings.begin(), kEndings.end(), isEnding))
+        throw Error(path.string(), "its ending names no format that voledit writes",
+                    "end it in .nrrd, .nhdr, .nii, .nii.gz, .mha, .mhd or .vdb");
+    checkWritable(path);
 }
 
 void writeTextFile(const fs::path& path, const std::string& text) {

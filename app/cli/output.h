@@ -12,6 +12,9 @@ namespace voledit {
 /// long work, not after it.
 void checkWritable(const std::filesystem::path& path);
 
+/// The same for a volume, whose ending must name a format that voledit writes.
+void checkVolumeWritable(const std::filesystem::path& path);
+
 /// Writes beside `path` and renames. Throws Error.
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
 

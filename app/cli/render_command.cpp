@@ -1,6 +1,7 @@
 // `voledit render`: a scene to a picture, headless.
 
 #include <CLI/App.hpp>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 struct RenderArguments {
     InputArguments input;
     std::string output, size = "960x720", renderer, gl = "auto", camera, stats;
-    double time = kNaN, step = 0;
+    double time = kNaN, step = kNaN;
     int timeFrames = 0, timeEdits = 0;
 };
 
@@ -25,7 +26,7 @@ void checkArguments(const RenderArguments& a) {
     if (ending != ".png" && ending != ".exr") throw UsageError("-o " + a.output + ": name a .png or .exr file");
     if (a.timeFrames < 0 || a.timeEdits < 0 || a.timeFrames > 100000 || a.timeEdits > 100000)
         throw UsageError("--time-frames and --time-edits take a number from 0 to 100000");
-    if (a.step != 0 && !(a.step >= 0.001 && a.step <= 1000))
+    if (!std::isnan(a.step) && !(a.step >= 0.001 && a.step <= 1000))
         throw UsageError("--step: give a number from 0.001 to 1000");
 }
 
@@ -78,16 +79,16 @@ int render(const RenderArguments& a, const CommonArguments& common) {
     IoClient io;
     OpenedScene opened = open(io, a.input, common);
     if (!a.camera.empty()) opened.scene.camera = readCamera(a.camera);
-    if (a.step > 0) opened.scene.render.step = a.step;
-    const double time = a.time == a.time ? a.time : opened.scene.timeline.start / opened.scene.timeline.fps;
-    const CompiledScene scene = compile(opened.scene, opened.volumes, time, nullptr, double(size.x) / size.y);
+    if (!std::isnan(a.step)) opened.scene.render.step = a.step;
+    const CompiledScene scene = compileAt(opened, a.input, a.time, double(size.x) / size.y);
 
     Picture picture;
     withProgress("Rendering", common.verbosity(),
                  [&](Progress* progress) { picture = drawing->draw(scene, size, progress); });
     const double firstImage = millisecondsSinceStart();
-    io.writePicture(picture, a.output);
-    if (common.verbose) std::fprintf(stderr, "voledit: first image after %.0f ms\n", firstImage);
+    withProgress("Writing " + a.output, common.verbosity(), [&](Progress*) { io.writePicture(picture, a.output); });
+    if (common.verbosity() == Verbosity::Verbose)
+        std::fprintf(stderr, "voledit: first image after %.0f ms\n", firstImage);
     const auto frames = timeFrames(*drawing, scene, size, a.timeFrames);
     const auto edits = timeEdits(*drawing, opened, scene, size, a.timeEdits);
     if (!a.stats.empty()) writeStatistics(a.stats, *drawing, size, firstImage, frames, edits);

@@ -77,15 +77,9 @@ int sampleFile(const SampleArguments& a, const CommonArguments& common) {
     Json json;
     if (isSceneFile(a.input.file)) {
         const OpenedScene opened = open(io, a.input, common);
-        const double time = a.time == a.time ? a.time : opened.scene.timeline.start / opened.scene.timeline.fps;
-        json["samples"] = sampleScene(compile(opened.scene, opened.volumes, time, nullptr), points);
+        json["samples"] = sampleScene(compileAt(opened, a.input, a.time), points);
     } else {
-        const OpenOptions options = a.input.options(common);
-        VolumeFile file;
-        withProgress("Reading " + a.input.file, common.verbosity(),
-                     [&](Progress* progress) { file = io.readVolume(a.input.file, options.read, progress); });
-        printWarnings(file.warnings);
-        json["samples"] = sampleVolume(*file.volume, points);
+        json["samples"] = sampleVolume(*readVolumeFile(io, a.input, common).volume, points);
     }
     if (a.json) {
         std::cout << json.dump(2) << "\n";

@@ -32,6 +32,7 @@ void draw(const std::string& what, double fraction) {
 
 void withProgress(const std::string& what, Verbosity verbosity, const std::function<void(Progress*)>& work) {
     const bool bar = verbosity != Verbosity::Quiet && isatty(STDERR_FILENO);
+    const auto start = std::chrono::steady_clock::now();
     Progress progress;
     std::atomic<bool> done{false};
     interrupted = 0;
@@ -60,6 +61,9 @@ void withProgress(const std::string& what, Verbosity verbosity, const std::funct
         throw;
     }
     finish();
+    if (verbosity == Verbosity::Verbose)
+        std::fprintf(stderr, "voledit: %s: %.0f ms\n", what.c_str(),
+                     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

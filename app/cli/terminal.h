@@ -12,7 +12,7 @@ namespace voledit {
 enum class Verbosity : unsigned char { Quiet, Normal, Verbose };
 
 /// Runs `work` while a bar named `what` shows its progress (where standard error is a terminal, and from half a second
-/// on) and Ctrl-C cancels it. Throws what `work` throws.
+/// on) and Ctrl-C cancels it; says how long it took when verbose. Throws what `work` throws.
 void withProgress(const std::string& what, Verbosity verbosity, const std::function<void(Progress*)>& work);
 
 /// "voledit: warning: …" on standard error, one line each; also when quiet, as a repaired file must never go unnoticed.

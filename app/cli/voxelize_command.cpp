@@ -39,8 +39,10 @@ VolumeGrid gridOver(const VoxelizeArguments& a, const CompiledScene& scene) {
         bounds = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
     }
     const Vec3 extent = bounds.size();
+    if (!a.bounds.empty() && !(extent.x > 0 && extent.y > 0 && extent.z > 0))
+        throw UsageError("--bounds " + a.bounds + ": the box is empty; each maximum must be above its minimum");
     if (bounds.empty() || !(extent.x > 0 && extent.y > 0 && extent.z > 0))
-        throw Error("--bounds: the box is empty; give x0,y0,z0,x1,y1,z1 with each maximum above its minimum");
+        throw Error(a.input.file, "its root is empty, so there is no box to sample", "give --bounds x0,y0,z0,x1,y1,z1");
     if (!a.size.empty()) return cellCentredGrid(bounds, parseSize3(a.size, "--size"), 1);
     const Vec3 cell = parseSpacing(a.cellSize, "--spacing");
     Index3 size;
@@ -55,6 +57,19 @@ VolumeGrid gridOver(const VoxelizeArguments& a, const CompiledScene& scene) {
         bounds.max[i] += rest / 2;
     }
     return cellCentredGrid(bounds, size, 1);
+}
+
+/// The result and the copy of it that is written must fit: the system would end the program without a word.
+void checkFits(const VoxeliseRequest& request) {
+    const int channels = request.what == VoxeliseWhat::Rgba ? 4 : request.what == VoxeliseWhat::Displacement ? 3 : 1;
+    const Index3 n = request.grid.size;
+    const double bytes = 2.0 * n.x * n.y * n.z * channels * double(byteSize(request.type));
+    const auto mebibytes = [](double b) { return std::to_string(std::uint64_t(std::ceil(b / (1 << 20)))) + " MiB"; };
+    if (bytes > double(memoryLimit()))
+        throw Error("voxelize",
+                    "a grid of " + std::to_string(n.x) + " × " + std::to_string(n.y) + " × " + std::to_string(n.z) +
+                        " needs " + mebibytes(bytes) + ", more than the limit of " + mebibytes(double(memoryLimit())),
+                    "give fewer cells, or raise --memory-limit");
 }
 
 int voxelize(const VoxelizeArguments& a, const CommonArguments& common) {
@@ -72,15 +87,16 @@ int voxelize(const VoxelizeArguments& a, const CommonArguments& common) {
                              ": there are int8, uint8, int16, uint16, int32, uint32, float and double");
         request.type = *type;
     }
-    checkWritable(a.output);
+    checkVolumeWritable(a.output);
     IoClient io;
     const OpenedScene opened = open(io, a.input, common);
-    const double time = a.time == a.time ? a.time : opened.scene.timeline.start / opened.scene.timeline.fps;
-    const CompiledScene scene = compile(opened.scene, opened.volumes, time, nullptr);
+    const CompiledScene scene = compileAt(opened, a.input, a.time);
     if (a.type.empty() && request.what == VoxeliseWhat::Scalar)
         if (const Volume* volume = volumeOf(*scene.root)) request.type = volume->type();
-    request.grid =
-        a.like.empty() ? gridOver(a, scene) : io.readVolume(a.like, a.input.options(common).read).volume->grid();
+    InputArguments like;
+    like.file = a.like;
+    request.grid = a.like.empty() ? gridOver(a, scene) : readVolumeFile(io, like, common).volume->grid();
+    checkFits(request);
     withProgress("Voxelising", common.verbosity(), [&](Progress* progress) {
         const auto volume = voxelise(scene, request, progress);
         io.writeVolume(*volume, a.output, progress);

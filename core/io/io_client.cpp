@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -32,9 +33,11 @@ fs::path defaultProgram() {
     return programFolder() / "voledit-io";
 }
 
-std::uint64_t threeQuartersOfMemory() {
-    return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE)) / 4 * 3;
+std::size_t threeQuartersOfMemory() {
+    return std::size_t(sysconf(_SC_PHYS_PAGES)) * std::size_t(sysconf(_SC_PAGESIZE)) / 4 * 3;
 }
+
+std::atomic<std::size_t> limitOfProcess{0};
 
 /// Watches that the parser gets on: throws where it used up the patience since the last progress.
 class Watchdog {
@@ -92,6 +95,15 @@ FileDescriptor memoryFileOf(std::span<const std::byte> bytes, Progress* progress
 }
 
 }  // namespace
+
+void setMemoryLimit(std::size_t bytes) {
+    limitOfProcess = bytes;
+}
+
+std::size_t memoryLimit() {
+    const std::size_t limit = limitOfProcess;
+    return limit > 0 ? limit : threeQuartersOfMemory();
+}
 
 struct IoClient::Process {
     struct Answer {
@@ -209,7 +221,7 @@ VolumeFile IoClient::readVolume(const fs::path& path, const ReadOptions& options
     IoRequest request = requestFor(IoTask::ReadVolume, path, path);
     request.raw = options.raw;
     request.spacing = options.spacing;
-    request.memoryLimit = options.memoryLimit;
+    request.memoryLimit = options.memoryLimit > 0 ? options.memoryLimit : memoryLimit();
     auto [reply, file] = process_->ask(std::move(request), -1, progress);
     throwIfFailed(reply, IoReply::Kind::Volume);
     auto [voxels, owner] = mapSealed(file.get(), checkedBytes(reply));

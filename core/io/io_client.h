@@ -28,8 +28,14 @@ RawFormat parseRawFormat(const std::string& text);
 struct ReadOptions {
     std::optional<RawFormat> raw;
     std::optional<Vec3> spacing;  // for stacks that carry none
-    std::size_t memoryLimit = 0;  // bytes that the parser process may use; 0: three quarters of this machine's memory
+    std::size_t memoryLimit = 0;  // bytes that the parser process may use; 0: `memoryLimit()`
 };
+
+/// Bounds what reading a file may take where the call itself says nothing, for the rest of the process; 0 is three
+/// quarters of this machine's memory.
+void setMemoryLimit(std::size_t bytes);
+/// The bound in bytes, > 0.
+std::size_t memoryLimit();
 
 struct VolumeFile {
     std::shared_ptr<const Volume> volume;

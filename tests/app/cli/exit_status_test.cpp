@@ -28,6 +28,7 @@ TEST(ExitStatus, WrongFlagsAreTwo) {
              {"render", "a.voledit", "-o", "a.jpeg"},
              {"voxelize", "a.voledit", "-o", "a.nrrd"},
              {"voxelize", "a.voledit", "-o", "a.nrrd", "--size", "4x4x4", "--what", "soul"},
+             {"render", "a.voledit", "-o", "a.png", "--step", "0"},
              {"sample", "a.nrrd", "--at", "1,2"},
              {"sample", "a.nrrd", "--at", "1,2,x"},
              {"info", "a.nrrd", "--memory-limit", "lots"},
@@ -63,11 +64,84 @@ TEST(ExitStatus, RawFileWithoutRawIsOne) {
 }
 
 TEST(ExitStatus, BuiltLaterSaysSo) {
-    for (const char* command : {"animate", "pose"}) {
-        const auto result = run("voledit", {command, "x"});
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"animate", "x"},
+                                               {"pose", "x"},
+                                               {"--quiet", "pose", "x"},
+                                               {"convert", "a.bvh", "b.bvh"},
+                                               {"sample", "a.bvh", "--at", "0,0,0"}}) {
+        const auto result = run("voledit", arguments);
         EXPECT_EQ(result.status, 1);
         EXPECT_NE(result.err.find("not built yet"), std::string::npos) << result.err;
     }
+}
+
+TEST(ExitStatus, AWordThatIsNeitherCommandNorFileIsNamed) {
+    const auto result = run("voledit", {"rendre"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("rendre: there is no such file"), std::string::npos) << result.err;
+}
+
+/// A volume of 2 × 2 × 2 ones in `folder`.
+std::string smallVolume(const fs::path& folder) {
+    return write(folder / "v.nrrd",
+                 "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\n" + std::string(8, '\x01'));
+}
+
+TEST(CommonFlags, StandBeforeAndBehindTheCommand) {
+    const std::string volume = smallVolume(test::scratchFolder());
+    const std::vector<std::string> plain{"info", volume, "--json"};
+    const auto expected = run("voledit", plain);
+    ASSERT_EQ(expected.status, 0) << expected.err;
+    for (const std::vector<std::string>& flags : std::vector<std::vector<std::string>>{
+             {"--quiet"}, {"--threads", "1"}, {"--memory-limit=1G", "--quiet"}, {"--memory-limit", "1G"}}) {
+        std::vector<std::string> before = flags, behind = plain;
+        before.insert(before.end(), plain.begin(), plain.end());
+        behind.insert(behind.end(), flags.begin(), flags.end());
+        for (const auto& arguments : {before, behind}) {
+            const auto result = run("voledit", arguments);
+            EXPECT_EQ(result.status, 0) << testing::PrintToString(arguments) << result.err;
+            EXPECT_EQ(result.out, expected.out);
+            EXPECT_EQ(result.err, "");
+        }
+    }
+    const auto verbose = run("voledit", {"--verbose", "info", volume, "--json"});
+    EXPECT_EQ(verbose.out, expected.out);
+    EXPECT_NE(verbose.err.find(" ms"), std::string::npos) << verbose.err;
+}
+
+TEST(CommonFlags, MemoryLimitHoldsForEveryCommand) {
+    const auto folder = test::scratchFolder();
+    // More than what a parser needs for itself, less than the volume.
+    const std::string volume =
+        write(folder / "big.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 256 256 256\nencoding: raw\n\n" +
+                                       std::string(std::size_t(1) << 24, '\x01'));
+    const std::string picture = (folder / "out.png").string(), grid = (folder / "out.nrrd").string();
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"info", volume},
+                                               {"sample", volume, "--at", "0,0,0"},
+                                               {"convert", volume, grid},
+                                               {"render", volume, "-o", picture, "--renderer", "rays"},
+                                               {"voxelize", volume, "-o", grid, "--size", "2x2x2"},
+                                               {"voxelize", smallVolume(folder), "-o", grid, "--like", volume},
+                                               {"voxelize", smallVolume(folder), "-o", grid, "--size", "900x900x900"},
+                                               {"edit", volume, "--headless", "--screenshot", picture}}) {
+        std::vector<std::string> limited = arguments;
+        limited.insert(limited.end(), {"--memory-limit", "8M"});
+        const auto result = run("voledit", limited);
+        EXPECT_EQ(result.status, 1) << testing::PrintToString(arguments);
+        EXPECT_NE(result.err.find("--memory-limit"), std::string::npos) << result.err;
+        EXPECT_FALSE(fs::exists(picture) || fs::exists(grid)) << testing::PrintToString(arguments);
+    }
+}
+
+TEST(RawFiles, TakeTheirSpacingFromEitherFlag) {
+    const auto folder = test::scratchFolder();
+    const std::string raw = write(folder / "voxels.raw", std::string(8, 'x'));
+    const auto one = run("voledit", {"info", raw, "--json", "--raw", "2x2x2,uint8,1x2x3"});
+    const auto other = run("voledit", {"info", raw, "--json", "--raw", "2x2x2,uint8", "--spacing", "1,2,3"});
+    EXPECT_EQ(one.status, 0) << one.err;
+    EXPECT_EQ(one.out, other.out);
 }
 
 TEST(ExitStatus, BadScenesWriteNothing) {
@@ -91,7 +165,8 @@ TEST(ExitStatus, BadScenesWriteNothing) {
          "cells"},
         {R"({"voledit":1,)" + volume +
              R"("root":{"type":"transfer","by":{"type":"ffd","move":[{"point":[9,0,0],"by":[1,0,0]}]},"of":{"type":"volume","asset":"v"}}})",
-         "point"}};
+         "point"},
+        {R"({"voledit":1,)" + volume + R"("root":{"type":"volume","asset":"v","channel":1}})", "channel 1"}};
     for (const auto& [text, word] : bad) {
         const std::string path = write(folder / "scene.voledit", text);
         const auto result = run("voledit", {"render", path, "-o", (folder / "out.png").string(), "--renderer", "rays"});
@@ -106,6 +181,9 @@ TEST(ExitStatus, BadScenesWriteNothing) {
 
 TEST(ExitStatus, UnwritableOutputIsFoundBeforeTheWork) {
     const auto folder = test::scratchFolder();
+    const auto unknown = run("voledit", {"voxelize", "gone.voledit", "-o", "a.xyz", "--size", "2x2x2"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("a.xyz: its ending"), std::string::npos) << unknown.err;
     const auto result = run("voledit", {"convert", "gone.nrrd", (folder / "no" / "such" / "folder.nrrd").string()});
     EXPECT_EQ(result.status, 1);
     EXPECT_NE(result.err.find("folder"), std::string::npos) << result.err;
