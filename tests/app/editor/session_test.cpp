@@ -10,6 +10,7 @@
 #include "app/editor/run_editor.h"
 #include "app/editor/state_json.h"
 #include "core/base/error.h"
+#include "core/io/io_client.h"
 #include "tests/support/fixtures.h"
 
 namespace voledit {
@@ -104,6 +105,46 @@ TEST_F(SessionTest, SavedScenesOpenAsTheyWere) {
     EXPECT_EQ(state(session)["scene"], before["scene"]);
     EXPECT_FALSE(state(session)["modified"]);
     EXPECT_TRUE(state(session)["undo"].empty());
+}
+
+// What `voledit render` draws of the saved scene at the viewport's size is the viewport, once overlays are off; also
+// right after saving, when notices are up.
+TEST_F(SessionTest, BareViewportIsThePictureThatRenderGives) {
+    options.file = writeBall(folder);
+    options.size = Index2(900, 600);
+    Session session(options);
+    const std::string scene = (folder / "bent.voledit").string(), window = (folder / "window.png").string();
+    play(session, "do lattice.add\ndrag @point(lattice,3,3,3) to +40,20\ndo file.save-as " + scene +
+                      "\ndo view.overlays off\nwait idle\nscreenshot " + window);
+    const auto view = state(session)["viewport"];
+    const Index2 origin(view[0], view[1]), size(view[2], view[3]);
+    const std::string drawn = (folder / "drawn.png").string();
+    const auto result = test::run(
+        "voledit", {"render", scene, "-o", drawn, "--size", std::to_string(size.x) + "x" + std::to_string(size.y)});
+    ASSERT_EQ(result.status, 0) << result.err;
+    IoClient io;
+    const Picture whole = io.readPicture(window), wanted = io.readPicture(drawn);
+    Picture shown(size);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) shown.at(x, y) = whole.at(origin.x + x, origin.y + y);
+    EXPECT_GE(psnr(shown, wanted), 50);
+    EXPECT_LT(psnr(shown, Picture(size)), 40) << "the picture is empty";
+}
+
+TEST_F(SessionTest, FilesOutsideTheFolderAreOpenedOnlyWhenAllowed) {
+    const fs::path ball = writeBall(folder), elsewhere = folder / "scenes";
+    fs::create_directory(elsewhere);
+    const fs::path scene = elsewhere / "far.voledit";
+    std::ofstream(scene) << R"({"voledit": 1, "assets": {"ball": {"kind": "volume", "path": "../ball.nrrd"}},
+                                "root": {"type": "volume", "asset": "ball"}})";
+    options.file = writeBall(folder, "first.nrrd");
+    Session session(options);
+    play(session,
+         "do file.open " + scene.string() + "\nwait idle\nclick @widget(\"Files outside the folder/Cancel\")\n");
+    EXPECT_TRUE(state(session)["scene"]["assets"].contains("first"));
+    play(session, "do file.open " + scene.string() +
+                      "\nwait idle\nclick @widget(\"Files outside the folder/Open anyway\")\nwait idle\n");
+    EXPECT_TRUE(state(session)["scene"]["assets"].contains("ball"));
 }
 
 TEST_F(SessionTest, NavigatingIsNoUndoStepButIsSaved) {
