@@ -98,13 +98,40 @@ TransferFunction resolve(const Appearance& appearance, const Volume& volume) {
     return tables;
 }
 
+namespace {
+
+/// Share of the samples on the box's faces that are denser than air, for a CT in Hounsfield units; every fourth row.
+double faceShareOfTissue(const Volume& volume) {
+    constexpr double kDenserThanAir = -300;
+    const Index3 n = volume.grid().size;
+    std::size_t tissue = 0, all = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for (int side = 0; side < 2; ++side)
+            for (int j = 0; j < n[v]; j += 4)
+                for (int i = 0; i < n[u]; ++i) {
+                    Index3 at;
+                    at[axis] = side ? n[axis] - 1 : 0;
+                    at[u] = i;
+                    at[v] = j;
+                    tissue += volume.at(at) > kDenserThanAir;
+                    ++all;
+                }
+    }
+    return double(tissue) / double(all);
+}
+
+}  // namespace
+
 std::string suggestedPreset(const Volume& volume) {
     const auto& statistics = volume.statistics();
     if (!(statistics.max > statistics.min)) return "";
     const bool real = volume.type() == VoxelType::Float || volume.type() == VoxelType::Double;
     const bool mayBeHounsfield = real || volume.type() == VoxelType::Int16 || volume.type() == VoxelType::Int32;
     // Air of −1000 HU gives CT away; what scanners pad with lies lower still.
-    if (mayBeHounsfield && statistics.min <= -900 && statistics.min >= -9000 && statistics.max >= 200) return "ct-skin";
+    // A scan cut out of a body shows no skin, only the cut: there vessels and bones are worth seeing.
+    if (mayBeHounsfield && statistics.min <= -900 && statistics.min >= -9000 && statistics.max >= 200)
+        return faceShareOfTissue(volume) > 0.3 ? "ct-angiography" : "ct-skin";
     // A fog volume: densities from 0, most of the box clear air.
     std::uint64_t count = 0;
     for (const auto bin : statistics.histogram) count += bin;

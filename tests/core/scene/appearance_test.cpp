@@ -91,8 +91,9 @@ TEST(Resolve, TablesWinWhereTheyAreGiven) {
 }
 
 TEST(SuggestedPreset, KnowsCtAndFogAndElseTakesGrey) {
-    EXPECT_EQ(suggestedPreset(*volumeOf<std::int16_t>({-1024, 0, 2000})), "ct-skin");
-    EXPECT_EQ(suggestedPreset(*volumeOf<float>({-1000, 0, 2000})), "ct-skin");
+    EXPECT_EQ(suggestedPreset(*volumeOf<std::int16_t>({-1024, -990, -1000, -950, 0, 2000, -1000})), "ct-skin");
+    EXPECT_EQ(suggestedPreset(*volumeOf<float>({-1000, -1000, -990, -980, 0, 2000, -1000})), "ct-skin");
+    EXPECT_EQ(suggestedPreset(*volumeOf<std::int16_t>({-1024, 40, 60, 300, 2000})), "ct-angiography") << "cut out";
     EXPECT_EQ(suggestedPreset(*volumeOf<std::int16_t>({0, 5, 2000})), "grey");
     EXPECT_EQ(suggestedPreset(*volumeOf<std::int16_t>({-30000, 0, 30000})), "grey");
     EXPECT_EQ(suggestedPreset(*volumeOf<float>({0, 0, 0, 0, 0, 0.5F, 5.7F})), "smoke");
