@@ -7,7 +7,8 @@
 
 namespace voledit {
 
-/// A hidden folder beside the file that is to be written; removed with all in it on destruction.
+/// A hidden folder beside the file that is to be written; removed with all in it on destruction. While one is there, an
+/// interrupt or a request to end that nobody handles waits for that.
 class OutputFolder {
 public:
     /// Throws Error where `target` cannot be written: its folder is missing or closed, or it is no regular file.
