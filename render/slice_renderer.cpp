@@ -44,8 +44,8 @@ bool SliceRenderer::advance(double budgetMs) {
         return true;
     }
     const auto start = std::chrono::steady_clock::now();
-    while (!picture.done()) {
-        if (millisecondsSince(start) >= budgetMs) return false;
+    // At least one piece a call, so that a busy machine gets on too.
+    do {
         const auto piece = std::chrono::steady_clock::now();
         const int count = state_->batchesAtOnce;
         picture.draw(count);
@@ -53,8 +53,8 @@ bool SliceRenderer::advance(double budgetMs) {
         // Pieces of about a third of the budget keep the overshoot small.
         const double took = std::max(millisecondsSince(piece), 0.1);
         state_->batchesAtOnce = std::clamp(int(count * (budgetMs / 3) / took), 1, 4 * threadCount());
-    }
-    return true;
+    } while (!picture.done() && millisecondsSince(start) < budgetMs);
+    return picture.done();
 }
 
 double SliceRenderer::progress() const {

@@ -127,6 +127,9 @@ void Editor::frame(const FrameInput& input) {
     layout_ = layoutOf(window_, workspace_.scale);
     workspace_.viewOrigin = layout_.view.origin;
     workspace_.viewSize = layout_.view.size;
+    // Before what was loaded is taken over: Escape in the frame in which loading ended still stops it.
+    if (std::find(events.begin(), events.end(), InputEvent::stroke(Key::Escape, true)) != events.end())
+        files_.cancelLoading();
     if (files_.poll() && recorder_) recorder_->loaded();
 
     ImGuiIO& io = ImGui::GetIO();

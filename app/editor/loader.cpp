@@ -33,11 +33,6 @@ struct Loader::Job {
         } catch (const std::exception& error) {
             result.problem = error.what();
         }
-        // A cancel that came too late is still what the user wants.
-        if (progress.cancelled()) {
-            result.cancelled = true;
-            result.opened.reset();
-        }
         done = true;
         done.notify_all();
     }
@@ -68,6 +63,11 @@ std::optional<Loader::Result> Loader::take() {
     if (!job_ || !job_->done) return std::nullopt;
     job_->thread.join();
     Result result = std::move(job_->result);
+    // A cancel that came too late is still what the user wants.
+    if (job_->progress.cancelled()) {
+        result.cancelled = true;
+        result.opened.reset();
+    }
     job_.reset();
     return result;
 }
