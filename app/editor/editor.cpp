@@ -251,6 +251,15 @@ Vec2 Editor::locate(const Place& place) const {
     return locatePlace(place, workspace_, widgets_, window_);
 }
 
+void Editor::drawnBy(const std::string& renderer, const std::string& slicesProblem) {
+    rendererName_ = renderer;
+    if (!slicesProblem.empty() && slicesProblem_.empty())
+        // The remedy at its end has just been taken.
+        workspace_.notify(Notice::Kind::Warning,
+                          slicesProblem.substr(0, slicesProblem.rfind("; ")) + "; rays on the CPU draw it");
+    slicesProblem_ = slicesProblem;
+}
+
 // ---- What follows from the edits ----------------------------------------------------------------------------------
 
 void Editor::tidySelection() {

@@ -77,8 +77,11 @@ public:
 
     /// Shown in the status bar; nullopt when headless.
     std::optional<FrameTimes> times;
-    /// The renderer that draws now ("slices", "rays"), and how much of the picture is done.
-    std::string rendererName = "slices";
+    /// Notes which renderer draws ("slices", "rays"); where slices were wanted and cannot, `slicesProblem` says why,
+    /// and the user is told once.
+    void drawnBy(const std::string& renderer, const std::string& slicesProblem);
+    const std::string& rendererName() const { return rendererName_; }
+    /// How much of the picture is done, 0…1.
     double refinement = 1;
 
 private:
@@ -113,6 +116,7 @@ private:
     Index2 window_{1, 1};
     Overlay overlay_;
     int fontsBuilt_ = 0;
+    std::string rendererName_ = "slices", slicesProblem_;
     std::optional<float> newScale_;
     bool hovered_ = false;  // the mouse is over the viewport with nothing in front
     bool showShortcuts_ = false;

@@ -230,9 +230,9 @@ void Editor::drawStatus() {
     if (times && workspace_.open) {
         std::array<char, 64> text;
         if (refinement < 1)
-            std::snprintf(text.data(), text.size(), "%s  %3.0f %%", rendererName.c_str(), 100 * refinement);
+            std::snprintf(text.data(), text.size(), "%s  %3.0f %%", rendererName_.c_str(), 100 * refinement);
         else
-            std::snprintf(text.data(), text.size(), "%s  %.0f ms", rendererName.c_str(), times->frameMs);
+            std::snprintf(text.data(), text.size(), "%s  %.0f ms", rendererName_.c_str(), times->frameMs);
         right += (right.empty() ? "" : "      ") + std::string(text.data());
     }
     const float width = ImGui::CalcTextSize(right.c_str()).x, all = ImGui::GetWindowContentRegionMax().x;

@@ -43,7 +43,7 @@ std::string stateJson(const Editor& editor) {
         {"undo", workspace.document.undoNames()},
         {"redo", workspace.document.redoNames()},
         {"modified", workspace.open && workspace.document.modified()},
-        {"renderer", editor.rendererName},
+        {"renderer", editor.rendererName()},
         {"time", workspace.time},
         {"viewport", {workspace.viewOrigin.x, workspace.viewOrigin.y, workspace.viewSize.x, workspace.viewSize.y}},
         {"messages", messages},

@@ -2,6 +2,7 @@
 
 #include "app/editor/platform/painter.h"
 #include "app/editor/platform/platform.h"
+#include "app/editor/renderer_choice.h"
 #include "render/context.h"
 
 namespace voledit {
@@ -25,7 +26,16 @@ public:
         return input;
     }
 
-    void show(Editor&) override {}
+    // Nothing is drawn before a screenshot; who would draw is known all the same.
+    void show(Editor& editor) override {
+        const Workspace& workspace = editor.workspace();
+        if (!workspace.open || (workspace.compiled.root == seen_ && workspace.renderer == seenChoice_)) return;
+        seen_ = workspace.compiled.root;
+        seenChoice_ = workspace.renderer;
+        const bool wantsRays = workspace.renderer == RendererChoice::Rays;
+        const std::string problem = wantsRays ? "" : whySlicesCannotDraw(seen_);
+        editor.drawnBy(wantsRays || !problem.empty() ? "rays" : "slices", problem);
+    }
     bool refining() const override { return false; }
 
     Picture screenshot(Editor& editor) override {
@@ -42,6 +52,8 @@ private:
     GlBackend gl_;
     std::unique_ptr<GlContext> context_;  // outlives what was made in it
     std::unique_ptr<Painter> painter_;
+    TermPtr seen_;
+    RendererChoice seenChoice_ = RendererChoice::Auto;
 };
 
 }  // namespace

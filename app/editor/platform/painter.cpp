@@ -60,7 +60,7 @@ void Painter::drawWindow(Editor& editor, GLuint framebuffer) {
     glClearColor(theme::kWindow.x, theme::kWindow.y, theme::kWindow.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     interface_.draw(data, view);
-    editor.rendererName = picture_.rendererName();
+    if (workspace.open) editor.drawnBy(picture_.rendererName(), picture_.slicesProblem());
     editor.refinement = picture_.progress();
 }
 

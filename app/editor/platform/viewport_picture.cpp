@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "app/editor/renderer_choice.h"
 #include "core/base/error.h"
 
 namespace voledit {
@@ -19,11 +20,12 @@ struct Level {
     int divisor;
     double step;
 };
-constexpr std::array<Level, 6> kLevels{{{1, 1}, {2, 1.5}, {3, 2}, {4, 2.5}, {6, 3.5}, {8, 4.5}}};
+constexpr std::array<Level, 5> kLevels{{{1, 1}, {2, 1.25}, {3, 1.5}, {4, 2}, {5, 2.5}}};
 constexpr int kCoarsest = int(kLevels.size()) - 1;
 // A preview longer than the one makes the next coarser, shorter than the other finer. A level costs between two and
-// four times the next coarser one, so that the two do not chase each other.
-constexpr double kTooSlowMs = 45, kFastMs = 11;
+// four times the next coarser one, so that the two do not chase each other. Coarser than the last level, surfaces break
+// up into blocks and speckles: a picture that comes a little later is better to work on.
+constexpr double kTooSlowMs = 80, kFastMs = 20;
 constexpr int kMeasureLevel = 3;
 
 const ProgramVariant kPresent{"screen.vert", "present.frag", {}};
@@ -96,7 +98,8 @@ void ViewportPicture::ensureTargets(Index2 size) {
 
 bool ViewportPicture::wantRays(const CompiledScene& scene, RendererChoice choice) {
     if (choice != RendererChoice::Auto) return choice == RendererChoice::Rays;
-    if (!softwareGl()) return false;
+    // Slices that cannot draw are found out, and told, where they are tried.
+    if (!softwareGl() || !whySlicesCannotDraw(scene.root).empty()) return false;
     std::vector<const void*> shape;
     collectShape(*scene.root, shape);
     if (shape != measuredFor_) {
@@ -157,11 +160,13 @@ void ViewportPicture::present(const SourceTexture& texture) {
 }
 
 double ViewportPicture::drawOrLeaveToRays(const CompiledScene& scene, int level) {
+    slicesProblem_.clear();
     if (!rays_) {
         try {
             return drawLevel(source(false), scene, level);
-        } catch (const Error&) {
-            rays_ = true;  // slices cannot draw this term
+        } catch (const Error& error) {
+            slicesProblem_ = error.what();
+            rays_ = true;
         }
     }
     return drawLevel(source(true), scene, level);

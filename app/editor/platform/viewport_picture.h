@@ -36,6 +36,8 @@ public:
     double progress() const;
     /// What draws now: "slices" or "rays".
     std::string rendererName() const { return rays_ ? "rays" : "slices"; }
+    /// Why rays drew where slices were wanted; empty where they were not.
+    const std::string& slicesProblem() const { return slicesProblem_; }
     /// True if the last update drew a preview of something new.
     bool changed() const { return changed_; }
 
@@ -74,6 +76,7 @@ private:
     Framebuffer baseTarget_, shownTarget_;
     Vec3f background_{0};
     bool rays_ = false;
+    std::string slicesProblem_;
     bool changed_ = false;
     bool refining_ = false;  // a source is working on `working_`
     int level_ = 0;          // of the picture in base_; 0 is full quality
