@@ -49,6 +49,26 @@ struct SessionTest : testing::Test {
         replay(parseEvents(events, "test.ev"), "test.ev", session);
     }
     Json state(Session& session) { return Json::parse(stateJson(session.editor())); }
+    // The viewport's part of a screenshot.
+    Picture shownIn(Session& session, const std::string& screenshot) {
+        const Workspace& workspace = session.editor().workspace();
+        IoClient io;
+        const Picture window = io.readPicture(screenshot);
+        Picture shown(workspace.viewSize);
+        for (int y = 0; y < shown.size.y; ++y)
+            for (int x = 0; x < shown.size.x; ++x)
+                shown.at(x, y) = window.at(workspace.viewOrigin.x + x, workspace.viewOrigin.y + y);
+        return shown;
+    }
+    // What `voledit render` gives.
+    Picture rendered(const std::string& scene, Index2 size, const std::string& renderer) {
+        const std::string picture = (folder / "rendered.png").string();
+        const auto result = test::run("voledit", {"render", scene, "-o", picture, "--renderer", renderer, "--size",
+                                                  std::to_string(size.x) + "x" + std::to_string(size.y)});
+        EXPECT_EQ(result.status, 0) << result.err;
+        IoClient io;
+        return io.readPicture(picture);
+    }
     std::string problemOf(Session& session, const std::string& events) {
         try {
             play(session, events);
@@ -116,19 +136,35 @@ TEST_F(SessionTest, BareViewportIsThePictureThatRenderGives) {
     const std::string scene = (folder / "bent.voledit").string(), window = (folder / "window.png").string();
     play(session, "do lattice.add\ndrag @point(lattice,3,3,3) to +40,20\ndo file.save-as " + scene +
                       "\ndo view.overlays off\nwait idle\nscreenshot " + window);
-    const auto view = state(session)["viewport"];
-    const Index2 origin(view[0], view[1]), size(view[2], view[3]);
-    const std::string drawn = (folder / "drawn.png").string();
-    const auto result = test::run(
-        "voledit", {"render", scene, "-o", drawn, "--size", std::to_string(size.x) + "x" + std::to_string(size.y)});
-    ASSERT_EQ(result.status, 0) << result.err;
-    IoClient io;
-    const Picture whole = io.readPicture(window), wanted = io.readPicture(drawn);
-    Picture shown(size);
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) shown.at(x, y) = whole.at(origin.x + x, origin.y + y);
+    const Picture shown = shownIn(session, window), wanted = rendered(scene, shown.size, "slices");
     EXPECT_GE(psnr(shown, wanted), 50);
-    EXPECT_LT(psnr(shown, Picture(size)), 40) << "the picture is empty";
+    EXPECT_LT(psnr(shown, Picture(shown.size)), 40) << "the picture is empty";
+}
+
+// A folded lattice below another one has no slices: rays draw it, and slices come back when the upper one goes.
+TEST_F(SessionTest, RaysDrawWhatSlicesCannot) {
+    options.file = writeBall(folder);
+    options.size = Index2(640, 420);
+    Session session(options);
+    const std::string scene = (folder / "s.voledit").string(), window = (folder / "window.png").string();
+    play(session, "do lattice.add\ndo select.points 1,1,1\ndo lattice.move 400,0,0\nwait idle\n");
+    EXPECT_EQ(state(session)["renderer"], "slices");
+    play(session, "do lattice.add\ndo select.points 3,3,3\ndo lattice.move 5,5,5\nwait idle\n");
+    EXPECT_EQ(state(session)["renderer"], "rays");
+    ASSERT_EQ(state(session)["messages"].size(), 1u);
+    EXPECT_THAT(state(session)["messages"][0].get<std::string>(), HasSubstr("rays on the CPU draw it"));
+    EXPECT_THAT(state(session)["messages"][0].get<std::string>(), testing::Not(HasSubstr("--renderer")));
+
+    play(session, "do file.save-as " + scene + "\ndo view.overlays off\nscreenshot " + window);
+    const Picture shown = shownIn(session, window);
+    EXPECT_GE(psnr(shown, rendered(scene, shown.size, "rays")), 50);
+    EXPECT_EQ(state(session)["renderer"], "rays");
+    EXPECT_EQ(state(session)["messages"].size(), 2u) << "told once, and that it was saved";
+
+    play(session, "do lattice.remove\nwait idle\n");
+    EXPECT_EQ(state(session)["renderer"], "slices");
+    play(session, "do view.renderer rays\nframe\n");
+    EXPECT_EQ(state(session)["renderer"], "rays");
 }
 
 TEST_F(SessionTest, FilesOutsideTheFolderAreOpenedOnlyWhenAllowed) {

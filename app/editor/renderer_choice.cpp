@@ -1,0 +1,17 @@
+#include "app/editor/renderer_choice.h"
+
+#include "core/base/error.h"
+#include "render/slice_plan.h"
+
+namespace voledit {
+
+std::string whySlicesCannotDraw(const TermPtr& root) {
+    try {
+        planSlices(root);
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+}  // namespace voledit
