@@ -32,7 +32,8 @@ std::vector<Source> filesIn(const Source& folder, int depth) {
         if (!walk->is_regular_file(failed)) continue;
         if (files.size() == kMostFiles)
             throw Error(folder.name, "holds more than 100000 files", "name a folder with one volume");
-        files.push_back({walk->path(), (fs::path(folder.name) / walk->path().lexically_relative(folder.path)).string()});
+        files.push_back(
+            {walk->path(), (fs::path(folder.name) / walk->path().lexically_relative(folder.path)).string()});
     }
     std::ranges::sort(files, {}, &Source::path);
     return files;
