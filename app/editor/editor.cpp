@@ -251,6 +251,18 @@ Vec2 Editor::locate(const Place& place) const {
     return locatePlace(place, workspace_, widgets_, window_);
 }
 
+void Editor::reveal(const std::string& widget) {
+    widgets_.reveal(widgetNamed(widget, widgets_));
+}
+
+// What the mouse holds is let go, and the scene is as it was before.
+void Editor::endGestures() {
+    tools_.cancel(toolContext(workspace_));
+    if (!ImGui::IsAnyMouseDown()) return;
+    workspace_.document.cancel();
+    ImGui::ClearActiveID();
+}
+
 void Editor::drawnBy(const std::string& renderer, const std::string& slicesProblem) {
     rendererName_ = renderer;
     if (!slicesProblem.empty() && slicesProblem_.empty())

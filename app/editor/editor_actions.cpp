@@ -71,13 +71,13 @@ void Editor::addEditActions() {
     Document& document = workspace_.document;
     actions.add({"edit.undo", "Undo", "Ctrl+Z", "", "Takes back the last step",
                  [&, this](const std::string&) {
-                     tools_.cancel(toolContext(workspace_));
+                     endGestures();
                      document.undo();
                  },
                  [&] { return !document.undoNames().empty(); }});
     actions.add({"edit.redo", "Redo", "Ctrl+Shift+Z", "", "Does again what was taken back",
                  [&, this](const std::string&) {
-                     tools_.cancel(toolContext(workspace_));
+                     endGestures();
                      document.redo();
                  },
                  [&] { return !document.redoNames().empty(); }});

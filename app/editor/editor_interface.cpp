@@ -89,9 +89,11 @@ void Editor::drawInterface() {
     guarded([&] { drawMenus(); });
     guarded([&] { drawPanels(); });
     guarded([&] { drawStatus(); });
-    guarded([&] { noticeList_.draw(workspace_, workspace_.overlays ? layout_.view : layout_.panels); });
+    // Without overlays nothing may stand over the picture.
+    const PixelRect& aside = workspace_.overlays || !workspace_.open ? layout_.view : layout_.panels;
+    guarded([&] { noticeList_.draw(workspace_, aside); });
     guarded([&] { drawShortcuts(); });
-    guarded([&] { files_.draw(); });
+    guarded([&] { files_.draw(aside); });
 }
 
 void Editor::drawViewport() {
@@ -114,14 +116,14 @@ void Editor::drawViewport() {
         // GL's first row is the lowest.
         list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(kViewTexture)), min, max, ImVec2(0, 1),
                       ImVec2(1, 0));
-        if (const auto box = tools_.lattice().box()) {
+        if (const auto box = tools_.lattice().box(); box && workspace_.overlays) {
             const ImVec2 a(min.x + float(box->first.x), min.y + float(box->first.y));
             const ImVec2 b(min.x + float(box->second.x), min.y + float(box->second.y));
             const ImVec2 low(std::min(a.x, b.x), std::min(a.y, b.y)), high(std::max(a.x, b.x), std::max(a.y, b.y));
             list.AddRectFilled(low, high, packed(theme::kAccent, 0.12f));
             list.AddRect(low, high, packed(theme::kAccent, 0.9f), 0, 0, std::max(1.0f, workspace_.scale));
         }
-        if (const std::string text = tools_.lattice().readout(); !text.empty()) {
+        if (const std::string text = tools_.lattice().readout(); !text.empty() && workspace_.overlays) {
             const ImVec2 size = ImGui::CalcTextSize(text.c_str()), mouse = ImGui::GetIO().MousePos;
             const float pad = 5 * workspace_.scale, gap = 18 * workspace_.scale;
             const float x = std::clamp(mouse.x + gap, min.x + pad, std::max(min.x + pad, max.x - size.x - pad));
@@ -236,7 +238,9 @@ void Editor::drawStatus() {
         right += (right.empty() ? "" : "      ") + std::string(text.data());
     }
     const float width = ImGui::CalcTextSize(right.c_str()).x, all = ImGui::GetWindowContentRegionMax().x;
-    const std::string hint = workspace_.open ? tools_.hint(toolContext(workspace_)) : "Ctrl+O: open  ·  F1: keys";
+    std::string hint = workspace_.open ? tools_.hint(toolContext(workspace_)) : "Ctrl+O: open  ·  F1: keys";
+    if (const std::string text = tools_.lattice().readout(); !text.empty() && !workspace_.overlays)
+        hint = text + "  ·  " + hint;
     const float space = all - width - 24 * workspace_.scale;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     // The hint gives way: what does not fit ends in dots.

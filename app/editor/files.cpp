@@ -202,7 +202,7 @@ void Files::warnOfOutsideFiles(const fs::path& path) {
 
 // ---- Dialogs ------------------------------------------------------------------------------------------------------
 
-void Files::draw() {
+void Files::draw(const PixelRect& area) {
     drawUnsavedChanges();
     drawOutsideFiles();
     if (const auto path = browser_.draw(workspace_.scale))
@@ -211,7 +211,7 @@ void Files::draw() {
         asking_ = Asking::Nothing;  // closed without an answer
         next_ = nullptr;
     }
-    drawProgress();
+    drawProgress(area);
 }
 
 void Files::drawUnsavedChanges() {
@@ -272,13 +272,13 @@ void Files::drawOutsideFiles() {
     if (trust) startLoading(outsideScene_, true);
 }
 
-void Files::drawProgress() {
+void Files::drawProgress(const PixelRect& area) {
     // Files that open at once need no box that flashes up.
     if (!loading() || (!workspace_.headless && workspace_.clock - loadingSince_ < 0.25)) return;
-    const Vec2 center = Vec2(workspace_.viewOrigin) + 0.5 * Vec2(workspace_.viewSize);
+    const Vec2 center = Vec2(area.origin) + 0.5 * Vec2(area.size);
     ImGui::SetNextWindowPos(ImVec2(float(std::round(center.x)), float(std::round(center.y))), ImGuiCond_Always,
                             ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowSize(ImVec2(std::min(360 * workspace_.scale, float(workspace_.viewSize.x)), 0));
+    ImGui::SetNextWindowSize(ImVec2(std::min(360 * workspace_.scale, float(area.size.x)), 0));
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
     ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(withAlpha(theme::kHeader, 0.96f)));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editor/file_browser.h"
+#include "app/editor/layout.h"
 #include "app/editor/loader.h"
 #include "app/editor/workspace.h"
 
@@ -40,8 +41,8 @@ public:
     /// Why the last load failed; empty where it did not.
     const std::string& loadProblem() const { return loadProblem_; }
 
-    /// Draws dialogs and the progress of loading within the current frame.
-    void draw();
+    /// Draws dialogs and, in `area`, the progress of loading within the current frame.
+    void draw(const PixelRect& area);
     bool quitConfirmed() const { return quit_; }
     /// The screenshots wanted since the last call.
     std::vector<std::filesystem::path> takeScreenshots();
@@ -56,7 +57,7 @@ private:
     void afterUnsavedChanges(std::function<void()> next);
     void drawUnsavedChanges();
     void drawOutsideFiles();
-    void drawProgress();
+    void drawProgress(const PixelRect& area);
     void chosen(const std::filesystem::path& path);
 
     Workspace& workspace_;

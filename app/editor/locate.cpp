@@ -34,14 +34,9 @@ std::string alternatives(const std::string& wanted, const std::vector<std::strin
 }
 
 Vec2 widgetAt(const std::string& wanted, const WidgetPlaces& widgets) {
-    std::optional<WidgetPlace> place = widgets.find(wanted);
-    const std::vector<std::string> names = widgets.names();
-    if (!place) {
-        const auto like = std::find_if(names.begin(), names.end(),
-                                       [&](const std::string& name) { return plainName(name) == plainName(wanted); });
-        if (like != names.end()) place = widgets.find(*like);
-    }
-    if (!place) throw Error("there is no widget \"" + wanted + "\" on the screen" + alternatives(wanted, names));
+    const std::optional<WidgetPlace> place = widgets.find(widgetNamed(wanted, widgets));
+    if (!place)
+        throw Error("there is no widget \"" + wanted + "\" on the screen" + alternatives(wanted, widgets.names()));
     if (!place->visible) throw Error("the widget \"" + wanted + "\" is scrolled out of sight");
     return place->center();
 }
@@ -83,6 +78,14 @@ Vec2 placeAt(const Place& place, const Workspace& workspace, const WidgetPlaces&
 }
 
 }  // namespace
+
+std::string widgetNamed(const std::string& wanted, const WidgetPlaces& widgets) {
+    const std::vector<std::string> names = widgets.names();
+    if (std::find(names.begin(), names.end(), wanted) != names.end()) return wanted;
+    const auto like = std::find_if(names.begin(), names.end(),
+                                   [&](const std::string& name) { return plainName(name) == plainName(wanted); });
+    return like != names.end() ? *like : wanted;
+}
 
 Vec2 locatePlace(const Place& place, const Workspace& workspace, const WidgetPlaces& widgets, Index2 window) {
     const Vec2 at = placeAt(place, workspace, widgets) + place.offset;

@@ -12,4 +12,8 @@ namespace voledit {
 /// or behind the eye, an unknown or hidden widget (the message lists widgets with like names), and for @joint and @key.
 Vec2 locatePlace(const Place& place, const Workspace& workspace, const WidgetPlaces& widgets, Index2 window);
 
+/// The name on the screen that `wanted` means: case, and the dots of "Open…", do not matter. `wanted` where there is
+/// none.
+std::string widgetNamed(const std::string& wanted, const WidgetPlaces& widgets);
+
 }  // namespace voledit

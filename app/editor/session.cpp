@@ -94,6 +94,7 @@ Vec2 Session::locate(const Place& place) {
             return editor_->locate(place);
         } catch (const Error&) {
             if (place.kind != Place::Kind::Widget || n >= kLayoutFrames) throw;
+            editor_->reveal(place.name);
             frame({});
         }
     }

@@ -24,6 +24,12 @@ std::optional<WidgetPlace> WidgetPlaces::find(const std::string& path) const {
     return at->second;
 }
 
+bool WidgetPlaces::takeWanted(const std::string& path) {
+    if (wanted_.empty() || path != wanted_) return false;
+    wanted_.clear();
+    return true;
+}
+
 std::vector<std::string> WidgetPlaces::names() const {
     std::vector<std::string> names;
     for (const auto& [name, place] : shown_) names.push_back(name);
@@ -54,8 +60,11 @@ void noteWidget(std::string_view label, const Vec2& min, const Vec2& max) {
     for (const std::string& scope : places->scopes) path += scope + "/";
     path += label.substr(0, label.find("##"));
     const Vec2 center = 0.5 * (min + max);
-    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
+    ImGuiWindow& window = *ImGui::GetCurrentWindow();
     const bool visible = window.ClipRect.Contains(ImVec2(float(center.x), float(center.y)));
+    if (places->takeWanted(path) && !visible)
+        ImGui::ScrollToBringRectIntoView(
+            &window, ImRect(ImVec2(float(min.x), float(min.y)), ImVec2(float(max.x), float(max.y))));
     places->note(path, {min, max, visible, (window.RootWindow->Flags & ImGuiWindowFlags_Popup) != 0});
 }
 

@@ -29,10 +29,16 @@ public:
     /// All names, for error messages.
     std::vector<std::string> names() const;
 
+    /// Has the widget of that name, where it is scrolled out of sight, brought into view in the frame after the next.
+    void reveal(const std::string& path) { wanted_ = path; }
+    /// True once for the widget that `reveal` named.
+    bool takeWanted(const std::string& path);
+
     std::vector<std::string> scopes;  // names that the next `noteWidget` puts before its label
 
 private:
     std::map<std::string, WidgetPlace> noted_, shown_;
+    std::string wanted_;
 };
 
 /// The current ImGui context's; null where it has none (unit tests of single widgets).

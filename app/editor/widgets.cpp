@@ -133,11 +133,31 @@ void warning(const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+namespace {
+// Below the item drawn last, or above it, no wider than its window: what is beside a panel stays seen.
+void placeTooltip(const std::string& text, float& wrap) {
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead()->RootWindow;
+    if (window.Flags & (ImGuiWindowFlags_Popup | ImGuiWindowFlags_ChildMenu)) return;
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    wrap = std::min(wrap, std::max(1.0f, window.Size.x - 2 * padding.x));
+    const ImVec2 inner = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 size{inner.x + 2 * padding.x, inner.y + 2 * padding.y};
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const float gap = 0.3f * ImGui::GetFontSize(), right = window.Pos.x + window.Size.x - size.x;
+    const bool below = max.y + gap + size.y <= ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowPos(
+        {std::max(window.Pos.x, std::min(min.x, right)), below ? max.y + gap : min.y - gap - size.y});
+}
+}  // namespace
+
 void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
     if (ImGui::GetCurrentContext()->HoveredIdTimer < 0.5f) return;
+    float wrap = ImGui::GetFontSize() * 22;
+    placeTooltip(text, wrap);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+    // From the tooltip's left edge.
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();

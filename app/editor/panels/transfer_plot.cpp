@@ -88,6 +88,13 @@ TransferPlot::Result TransferPlot::draw(const TransferFunction& shown, const Tra
     const Handle under = dragged_.part != Part::None ? dragged_ : hovered ? handleAt(g, shown, mouse) : Handle{};
 
     Result result{shown, {}, {}};
+    // Something else ended the drag, as undo does: its tables are no longer the scene's.
+    const bool held =
+        ImGui::IsItemActive() || (ImGui::IsItemDeactivated() && !ImGui::IsMouseDown(ImGuiMouseButton_Left));
+    if (start_ && !held) {
+        start_.reset();
+        dragged_ = {};
+    }
     if (hovered || ImGui::IsItemActive()) navigate(g, whole);
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) press(g, committed, under, g.inBar(mouse));
     if (start_) drag(g, result);

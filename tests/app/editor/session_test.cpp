@@ -141,6 +141,58 @@ TEST_F(SessionTest, BareViewportIsThePictureThatRenderGives) {
     EXPECT_LT(psnr(shown, Picture(shown.size)), 40) << "the picture is empty";
 }
 
+// Neither what moves nor what is explained stands over a bare viewport.
+TEST_F(SessionTest, NothingIsDrawnOverABareViewport) {
+    options.file = writeBall(folder);
+    options.size = Index2(560, 600);
+    Session session(options);
+    const auto picture = [&](const std::string& events) {
+        const std::string window = (folder / "window.png").string();
+        play(session, events + "\nframe 40\nscreenshot " + window);
+        return shownIn(session, window);
+    };
+    play(session, "do lattice.add\ndo view.overlays off\nmove @view(0.5,0.02)\n");
+    const Picture bare = picture("frame");
+    EXPECT_EQ(psnr(picture("move @widget(\"Lattice/Cells x\")"), bare), kInfinity) << "a tooltip";
+    EXPECT_EQ(psnr(picture("hold Ctrl\nmove @view(0.1,0.1)\ndown left\nframe\nmove @view(0.9,0.9)"), bare), kInfinity)
+        << "a box";
+    play(session, "up left\nrelease Ctrl\nframe\n");
+    const Picture again = picture("do select.points 3,3,3\nmove @view(0.5,0.5)\nframe\npress G");
+    EXPECT_EQ(psnr(again, bare), kInfinity) << "a readout";
+}
+
+TEST_F(SessionTest, UndoLetsGoOfWhatIsHeld) {
+    options.file = writeBall(folder);
+    Session session(options);
+    play(session, "do lattice.add\ndo lattice.enable off\ndo lattice.enable on\n");
+    const Json before = state(session)["scene"];
+    for (const std::string grabbed : {"@widget(\"Appearance/Opacity point 2\")", "@point(lattice,3,0,3)"})
+        for (const std::string pull : {"", "move +0,-30\nframe\n"}) {
+            const fs::path undone = folder / "undone.json";
+            play(session, "move " + grabbed + "\nframe\ndown left\nframe\n" + pull + "do edit.undo\nstate " +
+                              undone.string() + "\nmove +0,-40\nframe\nmove +5,0\nframe\nup left\nframe\n");
+            const Json after = state(session);
+            EXPECT_EQ(after["undo"].size(), 2u);
+            EXPECT_EQ(after["scene"], Json::parse(textOf(undone))["scene"]) << grabbed << " " << pull;
+            EXPECT_EQ(after["redo"], Json::parse(R"(["Enable lattice"])"));
+            play(session, "do edit.redo\n");
+            EXPECT_EQ(state(session)["scene"], before);
+        }
+}
+
+TEST_F(SessionTest, AWidgetScrolledOutOfSightIsBroughtBack) {
+    options.file = writeBall(folder);
+    options.size = Index2(900, 420);
+    Session session(options);
+    play(session, "do lattice.add\nframe\n");
+    const Vec2 low = session.locate({.kind = Place::Kind::Widget, .name = "appearance/Opacity distance"});
+    EXPECT_LT(low.y, 420 - 26);
+    const Vec2 top = session.locate({.kind = Place::Kind::Widget, .name = "Scene/Add Lattice"});
+    EXPECT_GT(top.y, 30);
+    play(session, "click @widget(\"Scene/Add Lattice\")\n");
+    EXPECT_EQ(state(session)["undo"].size(), 2u);
+}
+
 // A folded lattice below another one has no slices: rays draw it, and slices come back when the upper one goes.
 TEST_F(SessionTest, RaysDrawWhatSlicesCannot) {
     options.file = writeBall(folder);
