@@ -38,7 +38,8 @@ SlicePlan planSlices(const TermPtr& root) {
         }
         term = transfer->of.get();
     }
-    plan.volume = &std::get<VolumeTerm>(term->node);
+    plan.volume = std::get_if<VolumeTerm>(&term->node);
+    if (!plan.volume) throw Error("scene", "slices cannot draw this kind of object", "use --renderer rays");
     plan.indexFromSource = plan.volume->volume->indexFromWorld() * restFromWorld;
     return plan;
 }

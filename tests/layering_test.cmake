@@ -20,10 +20,10 @@ forbid(core "${parsers}" "files are parsed in voledit-io only")
 forbid(render "${parsers}" "files are parsed in voledit-io only")
 forbid(app "${parsers}" "files are parsed in voledit-io only" "/app/io/")
 forbid(app/io "core/scene|core/stf|core/objects|core/eval|render/" "the parser process knows volumes and pictures, not scenes")
-foreach(pair "base=fields|stf|objects|scene|eval|io" "fields=stf|objects|scene|eval|io" "stf=fields|objects|scene|eval|io"
-        "objects=scene|eval|io" "scene=eval|io" "io=stf|objects|scene|eval" "eval=io")
+foreach(pair "base=expression|fields|stf|objects|scene|eval|io" "expression=fields|stf|objects|scene|eval|io"
+        "fields=stf|objects|scene|eval|io" "stf=objects|scene|eval|io" "objects=scene|eval|io" "scene=eval|io" "io=stf|objects|scene|eval" "eval=io")
   string(REPLACE "=" ";" pair "${pair}")
   list(GET pair 0 module)
   list(GET pair 1 above)
-  forbid(core/${module} "core/(${above})/" "core's folders point one way: base ← fields, stf ← objects ← scene ← eval")
+  forbid(core/${module} "core/(${above})/" "core's folders point one way: base ← expression ← fields ← stf ← objects ← scene ← eval")
 endforeach()

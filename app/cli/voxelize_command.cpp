@@ -29,7 +29,8 @@ VoxeliseWhat whatNamed(const std::string& name) {
 /// The only volume of a term; null where there is none.
 const Volume* volumeOf(const Term& term) {
     if (const auto* volume = std::get_if<VolumeTerm>(&term.node)) return volume->volume.get();
-    return volumeOf(*std::get<TransferTerm>(term.node).of);
+    if (const auto* transfer = std::get_if<TransferTerm>(&term.node)) return volumeOf(*transfer->of);
+    return nullptr;
 }
 
 VolumeGrid gridOver(const VoxelizeArguments& a, const CompiledScene& scene) {

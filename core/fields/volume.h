@@ -24,6 +24,9 @@ std::optional<VoxelType> voxelTypeOf(std::string_view name);
 /// Smallest and largest value that `type` holds (±infinity for the two real types).
 std::pair<double, double> rangeOf(VoxelType type);
 
+/// How values between the samples of a regular grid follow from them.
+enum class Interpolation : std::uint8_t { Linear, Nearest, Cubic };
+
 /// Where the samples of a regular grid lie. Samples stand at whole indices; the grid's domain is the box of its sample
 /// positions, first to last, an axis of one sample being one spacing thick (centred on it) (scene-format.md).
 struct VolumeGrid {

@@ -24,14 +24,6 @@ Box3 moved(const Box3& box, const Mat4& m) {
     return {centre - reach, centre + reach};
 }
 
-bool mayBeVisibleThrough(const TransferTerm& node, const Box3& box) {
-    if (const auto restFromWorld = node.by->affine()) return mayBeVisible(*node.of, moved(box, *restFromWorld));
-    const MappedCells* cells = node.by->cells();
-    if (!cells) return true;
-    if (node.by->outside() == Outside::Keep && mayBeVisible(*node.of, box)) return true;
-    return cells->anySourceBox(box, [&](const Box3& source) { return mayBeVisible(*node.of, source); });
-}
-
 }  // namespace
 
 VisibleBricks::VisibleBricks(const VolumeTerm& node) : domain_(node.volume->grid().indexDomain()) {
@@ -74,7 +66,8 @@ bool VisibleBricks::mayBeVisible(const Box3& box) const {
 
 bool mayBeVisible(const Term& term, const Box3& box) {
     if (intersect(term.bounds, box).empty()) return false;
-    if (const auto* transfer = std::get_if<TransferTerm>(&term.node)) return mayBeVisibleThrough(*transfer, box);
+    if (const auto* transfer = std::get_if<TransferTerm>(&term.node))
+        return transfer->by->anySourceBox(box, [&](const Box3& source) { return mayBeVisible(*transfer->of, source); });
     const auto& volume = std::get<VolumeTerm>(term.node);
     return term.cache->visibleBricks(volume).mayBeVisible(moved(box, volume.volume->indexFromWorld()));
 }

@@ -108,7 +108,7 @@ void evaluate(const Term& term, std::span<const Vec3> p, std::span<ObjectSample>
     if (const auto* volume = std::get_if<VolumeTerm>(&term.node))
         evaluateVolume(*volume, p, sample, withGradient);
     else
-        evaluateTransfer(std::get<TransferTerm>(term.node), p, sample, withGradient);
+        evaluateTransfer(std::get<TransferTerm>(term.node), p, sample, withGradient);  // other kinds follow
 }
 
 }  // namespace
@@ -121,10 +121,12 @@ void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> s
     }
 }
 
-TermPtr makeVolumeTerm(std::shared_ptr<const Volume> volume, int channel, TransferFunction appearance) {
+TermPtr makeVolumeTerm(std::shared_ptr<const Volume> volume, int channel, TransferFunction appearance,
+                       Interpolation interpolation) {
     const Box3 bounds = boundsOf(volume->grid().worldFrame());
-    return std::make_shared<const Term>(Term{VolumeTerm{std::move(volume), channel, std::move(appearance)}, bounds,
-                                             std::make_shared<const TermCache>()});
+    return std::make_shared<const Term>(
+        Term{VolumeTerm{std::move(volume), channel, std::move(appearance), interpolation}, bounds,
+             std::make_shared<const TermCache>()});
 }
 
 TermPtr makeTransferTerm(TransferPtr by, TermPtr of, Combine combine, std::string name, TransferRole role) {

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/scene/appearance.h"
 #include "core/stf/affine.h"
-#include "core/stf/scaled_cells.h"
+#include "core/stf/cell_map.h"
 
 namespace voledit {
 
@@ -73,7 +73,7 @@ TransferPtr affineMap(const Mat4& worldFromRest, double amount) {
 TransferPtr latticeMap(const FfdTransfer& ffd, const Frame& frame, Outside outside, double amount) {
     auto map = std::make_shared<LatticeMap>(latticeOf(ffd, frame), ffd.cells, outside);
     if (amount == 1) return map;
-    return std::make_shared<ScaledCells>(*map, amount);
+    return scaledCells(*map, amount);
 }
 
 TransferPtr makeMap(const Transfer& transfer, const Frame& frame) {
@@ -272,15 +272,15 @@ void writeFrames(Scene& scene, ObjectRef& ref, Compiler& compiler, std::set<std:
 
 }  // namespace
 
-CompiledScene compile(const Scene& scene, const LoadedVolumes& volumes, double t, const CompiledScene* previous,
+CompiledScene compile(const Scene& scene, const LoadedAssets& assets, double t, const CompiledScene* previous,
                       double aspect) {
-    Compiler compiler(scene, volumes, previous ? previous->cache.get() : nullptr);
+    Compiler compiler(scene, assets.volumes, previous ? previous->cache.get() : nullptr);
     CompiledScene compiled;
     compiled.root = compiler.object(*scene.root);
     compiled.cache = compiler.cache();
     compiled.render = scene.render;
     compiled.time = t;
-    const auto spacing = smallestSpacing(scene, volumes);
+    const auto spacing = smallestSpacing(scene, assets.volumes);
     compiled.opacityDistance = scene.opacityDistance.value_or(spacing.value_or(1));
     const Vec3 size = compiled.root->bounds.size();
     const double longest = std::max({size.x, size.y, size.z});
@@ -289,14 +289,14 @@ CompiledScene compile(const Scene& scene, const LoadedVolumes& volumes, double t
     return compiled;
 }
 
-Scene withDefaultsWrittenOut(const Scene& scene, const LoadedVolumes& volumes) {
+Scene withDefaultsWrittenOut(const Scene& scene, const LoadedAssets& assets) {
     const double start = scene.timeline.start / scene.timeline.fps;
-    const CompiledScene compiled = compile(scene, volumes, start, nullptr);
+    const CompiledScene compiled = compile(scene, assets, start, nullptr);
     Scene written = scene;
     written.camera = compiled.camera;
     written.opacityDistance = compiled.opacityDistance;
 
-    Compiler compiler(scene, volumes, compiled.cache.get());
+    Compiler compiler(scene, assets.volumes, compiled.cache.get());
     std::set<std::string> done;
     writeFrames(written, written.root, compiler, done);
     for (const auto& [name, frame] : compiler.firstFrames()) {

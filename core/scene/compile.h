@@ -7,11 +7,22 @@
 
 #include "core/objects/term.h"
 #include "core/scene/scene.h"
+#include "core/stf/mesh_field.h"
+#include "core/stf/transfer_definition.h"
 
 namespace voledit {
 
 /// The volumes of a scene by asset name.
 using LoadedVolumes = std::map<std::string, std::shared_ptr<const Volume>>;
+
+/// What a scene's files hold, read already.
+struct LoadedAssets {
+    LoadedVolumes volumes;                                      // by asset name
+    std::map<std::string, std::shared_ptr<const Mesh>> meshes;  // assets of kind volume whose file is a mesh
+    std::map<std::string, TransferDefinitionPtr> transfers;     // formula files, by path as the scene writes it
+
+    LoadedAssets(LoadedVolumes v = {}) : volumes(std::move(v)) {}  // NOLINT: implicit, most scenes have no others
+};
 
 /// All that a renderer needs. Copies share.
 struct CompiledScene {
@@ -33,11 +44,11 @@ struct CompiledScene {
 /// Compiles `scene` at time t (seconds); pieces whose inputs are equal to those of `previous` (may be null) are taken
 /// from it, the very objects, so that caches keyed by them hold. `aspect` (width/height) serves a camera that fits.
 /// Throws Error for a missing volume, a channel out of range, a bad number.
-CompiledScene compile(const Scene& scene, const LoadedVolumes& volumes, double t, const CompiledScene* previous,
+CompiledScene compile(const Scene& scene, const LoadedAssets& assets, double t, const CompiledScene* previous,
                       double aspect = 4.0 / 3.0);
 
 /// A copy of `scene` with all that the contract says saving writes out: frames left out, camera, opacityDistance.
-Scene withDefaultsWrittenOut(const Scene& scene, const LoadedVolumes& volumes);
+Scene withDefaultsWrittenOut(const Scene& scene, const LoadedAssets& assets);
 
 /// The lattice that an `ffd` transfer means, over the frame it has (its own, or `operand`'s box).
 Lattice latticeOf(const FfdTransfer& ffd, const Frame& frame);

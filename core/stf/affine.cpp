@@ -65,4 +65,12 @@ Box3 AffineMap::imageOf(const Box3& rest) const {
     return transformed(rest, worldFromRest_);
 }
 
+bool AffineMap::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
+    // By centre and half sides: cheaper than eight corners.
+    const Vec3 centre = transformPoint(restFromWorld_, box.center()), half = 0.5 * (box.max - box.min);
+    Vec3 reach(0);
+    for (int c = 0; c < 3; ++c) reach += glm::abs(Vec3(restFromWorld_[c])) * half[c];
+    return found({centre - reach, centre + reach});
+}
+
 }  // namespace voledit

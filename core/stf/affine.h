@@ -17,7 +17,9 @@ public:
     void map(std::span<const Vec3> p, std::span<Vec3> q) const override;
     void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
+    bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const override;
     std::optional<Mat4> affine() const override { return restFromWorld_; }
+    void accept(TransferVisitor& visitor) const override { visitor.visit(*this); }
 
     const Mat4& worldFromRest() const { return worldFromRest_; }
 

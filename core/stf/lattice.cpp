@@ -145,34 +145,18 @@ Vec3 evaluate(const Lattice& lattice, const Vec3& u, Mat3& dPdu) {
 }
 
 LatticeMap::LatticeMap(Lattice lattice, Index3 cells, Outside outside)
-    : lattice_(std::move(lattice)), cells_(sampledCells(lattice_, cells)), count_(cells), outside_(outside) {}
-
-void LatticeMap::map(std::span<const Vec3> p, std::span<Vec3> q) const {
-    if (outside_ == Outside::Hide) return cells_.map(p, q);
-    const std::vector<Vec3> before(p.begin(), p.end());
-    cells_.map(p, q);
-    for (std::size_t i = 0; i < q.size(); ++i)
-        if (!isDefined(q[i]) && isDefined(before[i])) q[i] = before[i];
-}
-
-void LatticeMap::jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const {
-    assert(p.size() == jacobian.size());
-    CellLocation at{};
-    std::uint32_t hint = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        jacobian[i] = cells_.locateNear(p[i], hint, at) ? cells_.jacobianAt(at) : Mat3(1.0);
-}
+    : CellMap(sampledCells(lattice, cells), outside), lattice_(std::move(lattice)), count_(cells) {}
 
 Box3 LatticeMap::imageOf(const Box3& rest) const {
     if (rest.empty()) return rest;
-    Box3 hull = outside_ == Outside::Keep ? rest : Box3{};
+    Box3 hull = outside() == Outside::Keep ? rest : Box3{};
     for (const Vec3& c : lattice_.control) hull = join(hull, c);
     return hull;
 }
 
 std::vector<std::size_t> LatticeMap::foldingPoints() const {
     std::vector<std::size_t> found;
-    const auto determinants = cells_.determinants();
+    const auto determinants = cells()->determinants();
     for (std::size_t t = 0; t < determinants.size(); ++t) {
         if (!(determinants[t] < 0)) continue;
         const std::size_t hexahedron = t / 6, nx = std::size_t(count_.x), ny = std::size_t(count_.y);

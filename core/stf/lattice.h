@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "core/base/box3.h"
-#include "core/stf/mapped_cells.h"
-#include "core/stf/spatial_transfer_function.h"
+#include "core/stf/cell_map.h"
 
 namespace voledit {
 
@@ -35,15 +34,11 @@ Vec3 evaluate(const Lattice& lattice, const Vec3& u);
 Vec3 evaluate(const Lattice& lattice, const Vec3& u, Mat3& dPdu);
 
 /// The lattice sampled on a grid of `cells` cells an axis, as a backward map.
-class LatticeMap final : public SpatialTransferFunction {
+class LatticeMap final : public CellMap {
 public:
     LatticeMap(Lattice lattice, Index3 cells, Outside outside);
 
-    void map(std::span<const Vec3> p, std::span<Vec3> q) const override;
-    void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
-    const MappedCells* cells() const override { return &cells_; }
-    Outside outside() const override { return outside_; }
 
     const Lattice& lattice() const { return lattice_; }
     /// Control points whose movement folds the map: the ones with the largest influence in each inverted tetrahedron,
@@ -52,9 +47,7 @@ public:
 
 private:
     Lattice lattice_;
-    MappedCells cells_;
     Index3 count_;  // of cells
-    Outside outside_;
 };
 
 }  // namespace voledit

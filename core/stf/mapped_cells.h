@@ -32,6 +32,8 @@ public:
         std::vector<Vec3> source;    // q of each vertex, world units of the rest space
         std::vector<Mat3> jacobian;  // dq/dp at each vertex; empty: taken from the tetrahedra around the vertex
         std::vector<std::array<std::uint32_t, 8>> hexahedra;
+        /// Tetrahedra by themselves, in place of hexahedra: meshes. At most one of the two lists may hold anything.
+        std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     };
 
     /// Throws Error if an index is out of range, a size differs, or a position is not finite. Cheap; what only point

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/stf/affine.h"
-#include "core/stf/scaled_cells.h"
+#include "core/stf/cell_map.h"
 #include "tests/render/render_fixtures.h"
 
 namespace voledit {
@@ -173,7 +173,7 @@ TEST(LocatedSlices, FoldedAndKeepingOutermostMapsMatchRays) {
 
 TEST(LocatedSlices, AmountsOfAMapMatchRays) {
     const TermPtr plain = waves();
-    const auto half = std::make_shared<ScaledCells>(*bentLattice(plain->bounds), 0.5);
+    const auto half = scaledCells(*bentLattice(plain->bounds), 0.5);
     EXPECT_GE(closeness(closeUp(through(half, plain))), 44) << "outermost";
     const TermPtr inner = through(half, plain);
     EXPECT_GE(closeness(closeUp(through(bentLattice(inner->bounds), inner))), 42) << "below another";

@@ -72,16 +72,9 @@ TEST(RayCaster, MissesShowTheBackground) {
 }
 
 TEST(RayCaster, AnObjectNowhereShowsTheBackground) {
-    /// A map whose image is empty.
-    class Nowhere final : public SpatialTransferFunction {
-        void map(std::span<const Vec3>, std::span<Vec3> q) const override { std::fill(q.begin(), q.end(), kUndefined); }
-        void jacobian(std::span<const Vec3>, std::span<Mat3> j) const override {
-            std::fill(j.begin(), j.end(), Mat3(1));
-        }
-        Box3 imageOf(const Box3&) const override { return {}; }
-    };
     const auto block = makeVolumeTerm(sampledVolume(3, [](const Vec3&) { return 1; }), 0, constantLook(0.5, Vec3(1)));
-    const auto term = makeTransferTerm(std::make_shared<Nowhere>(), block, Combine::Union, "");
+    const auto nowhere = std::make_shared<CellMap>(MappedCells::Data{}, Outside::Hide);  // no cells: an empty image
+    const auto term = makeTransferTerm(nowhere, block, Combine::Union, "");
     for (const Vec4f& pixel : castRays(sceneOf(term, kFront, 0.1), {4, 4}).pixels)
         EXPECT_EQ(pixel, Vec4f(0, 0, 0.5, 0));
 }

@@ -173,14 +173,9 @@ TEST(Term, GradientsUnderALatticeAreThoseOfTheDeformedField) {
 }
 
 /// x = 0, 2, 1, 3 for q = 0, 1, 2, 3: three sheets between x = 1 and 2.
-class FoldedMap final : public SpatialTransferFunction {
+class FoldedMap final : public CellMap {
 public:
-    explicit FoldedMap(Outside outside) : cells_(data()), outside_(outside) {}
-    void map(std::span<const Vec3> p, std::span<Vec3> q) const override { cells_.map(p, q); }
-    void jacobian(std::span<const Vec3>, std::span<Mat3> j) const override { std::fill(j.begin(), j.end(), Mat3(1)); }
-    Box3 imageOf(const Box3& rest) const override { return join(rest, cells_.bounds()); }
-    const MappedCells* cells() const override { return &cells_; }
-    Outside outside() const override { return outside_; }
+    explicit FoldedMap(Outside outside) : CellMap(data(), outside) {}
 
 private:
     static MappedCells::Data data() {
@@ -190,8 +185,6 @@ private:
         for (const Vec3& q : data.source) data.jacobian.push_back(Mat3(q.x > 0.5 && q.x < 2.5 ? -1 : 0.5));
         return data;
     }
-    MappedCells cells_;
-    Outside outside_;
 };
 
 /// Opacity v / 10 and red v / 10 of a volume that is 1, 2, 4, 9 at x = 0 … 3, wider than the folded row.

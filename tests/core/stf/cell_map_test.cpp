@@ -1,4 +1,4 @@
-#include "core/stf/scaled_cells.h"
+#include "core/stf/cell_map.h"
 
 #include <gtest/gtest.h>
 
@@ -27,10 +27,10 @@ TEST(ScaledCells, ScaleTheDisplacementEverywhere) {
     for (const Outside outside : {Outside::Hide, Outside::Keep}) {
         const LatticeMap whole = bentLattice(outside);
         for (const double amount : {0.0, 0.3, 1.0}) {
-            const ScaledCells scaled(whole, amount);
+            const TransferPtr scaled = scaledCells(whole, amount);
             const auto p = points();
             std::vector<Vec3> q(p.size()), r(p.size());
-            scaled.map(p, q);
+            scaled->map(p, q);
             whole.map(p, r);
             for (std::size_t i = 0; i < p.size(); ++i) {
                 ASSERT_EQ(isDefined(q[i]), isDefined(r[i]));
@@ -43,10 +43,10 @@ TEST(ScaledCells, ScaleTheDisplacementEverywhere) {
 
 TEST(ScaledCells, ScaleTheJacobiansDistanceFromTheIdentity) {
     const LatticeMap whole = bentLattice(Outside::Hide);
-    const ScaledCells scaled(whole, 0.25);
+    const TransferPtr scaled = scaledCells(whole, 0.25);
     const auto p = points();
     std::vector<Mat3> j(p.size()), k(p.size());
-    scaled.jacobian(p, j);
+    scaled->jacobian(p, j);
     whole.jacobian(p, k);
     for (std::size_t i = 0; i < p.size(); ++i)
         for (int c = 0; c < 3; ++c)
@@ -56,12 +56,12 @@ TEST(ScaledCells, ScaleTheJacobiansDistanceFromTheIdentity) {
 TEST(ScaledCells, ImageHoldsAllThatMapsIntoTheBox) {
     for (const Outside outside : {Outside::Hide, Outside::Keep}) {
         const LatticeMap whole = bentLattice(outside);
-        const ScaledCells scaled(whole, 0.5);
+        const TransferPtr scaled = scaledCells(whole, 0.5);
         const Box3 rest{{2, 3, 4}, {6, 7, 12}};
-        const Box3 image = scaled.imageOf(rest);
+        const Box3 image = scaled->imageOf(rest);
         const auto p = points();
         std::vector<Vec3> q(p.size());
-        scaled.map(p, q);
+        scaled->map(p, q);
         std::size_t inside = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (!isDefined(q[i]) || !rest.contains(q[i])) continue;
@@ -73,9 +73,9 @@ TEST(ScaledCells, ImageHoldsAllThatMapsIntoTheBox) {
 }
 
 TEST(ScaledCells, UndefinedPointsStayUndefined) {
-    const ScaledCells scaled(bentLattice(Outside::Keep), 0.5);
+    const TransferPtr scaled = scaledCells(bentLattice(Outside::Keep), 0.5);
     std::vector<Vec3> p{kUndefined};
-    scaled.map(p, p);
+    scaled->map(p, p);
     EXPECT_FALSE(isDefined(p[0]));
 }
 
