@@ -1,5 +1,6 @@
 #include "core/base/box3.h"
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
@@ -25,6 +26,16 @@ Box3 transformed(const Box3& box, const Mat4& m) {
     if (box.empty()) return result;
     for (int c = 0; c < 8; ++c) result = join(result, transformPoint(m, box.corner(c)));
     return result;
+}
+
+Box3 movedBox(const Box3& box, const Mat4& m) {
+    if (box.empty()) return {};
+    const Vec3 half = 0.5 * (box.max - box.min);
+    if (!std::isfinite(half.x + half.y + half.z)) return {Vec3(-kInfinity), Vec3(kInfinity)};
+    const Vec3 centre = transformPoint(m, box.center());
+    Vec3 reach(0);
+    for (int c = 0; c < 3; ++c) reach += glm::abs(Vec3(m[c])) * half[c];
+    return {centre - reach, centre + reach};
 }
 
 Frame frameOf(const Box3& box) {

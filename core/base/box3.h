@@ -31,6 +31,10 @@ Box3 intersect(const Box3& a, const Box3& b);
 /// Box of the eight corners of `box` moved by `m` (an affine matrix, column vectors).
 Box3 transformed(const Box3& box, const Mat4& m);
 
+/// A box that holds every point of `box` moved by `m`: from its centre and half sides, cheaper than eight corners. An
+/// infinite box stays infinite.
+Box3 movedBox(const Box3& box, const Mat4& m);
+
 /// A box with a corner and three edge vectors, world units; u = F⁻¹(p) are its normalised coordinates, [0,1]³ within
 /// (definitions.md §1). Edges may be oblique but must span space.
 struct Frame {

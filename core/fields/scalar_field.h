@@ -24,7 +24,7 @@ public:
     /// as their classes say. Sizes are equal.
     virtual void gradient(std::span<const Vec3> p, std::span<Vec3> gradient) const = 0;
 
-    /// Bounds of the values that are defined in `box`.
+    /// Bounds of the values that are defined in `box`; low > high where certainly none is.
     virtual Interval range(const Box3& box) const = 0;
 
     /// Box outside of which F is undefined; infinite for most.

@@ -39,6 +39,23 @@ double PiecewiseLinear::operator()(double x) const {
     return points.empty() ? 0.0 : interpolate(points, x);
 }
 
+double PiecewiseLinear::slope(double x) const {
+    const auto above = std::upper_bound(points.begin(), points.end(), x,
+                                        [](double value, const Vec2& point) { return value < point.x; });
+    if (above == points.begin() || above == points.end()) return 0;
+    const Vec2& below = *std::prev(above);
+    return (above->y - below.y) / (above->x - below.x);
+}
+
+Interval rangeOf(const PiecewiseLinear& table, const Interval& x) {
+    const double first = table(x.low), last = table(x.high);
+    Interval range{std::min(first, last), std::max(first, last)};
+    // A corner at `low` itself counts through table(low) only: what holds below it is not reached.
+    for (const Vec2& point : table.points)
+        if (point.x > x.low && point.x <= x.high) range = join(range, Interval{point.y, point.y});
+    return range;
+}
+
 Vec3 ColorTable::operator()(double x) const {
     return points.empty() ? Vec3(0) : interpolate(points, x);
 }
@@ -52,11 +69,7 @@ TransferFunction greyRamp(double min, double max) {
 
 double largestOpacity(const PiecewiseLinear& opacity, double low, double high) {
     if (!(low <= high)) return 0;
-    double largest = std::max(opacity(low), opacity(high));
-    // A corner at `low` itself counts through opacity(low) only: what holds below it is not reached.
-    for (const Vec2& point : opacity.points)
-        if (point.x > low && point.x <= high) largest = std::max(largest, point.y);
-    return largest;
+    return rangeOf(opacity, {low, high}).high;
 }
 
 }  // namespace voledit

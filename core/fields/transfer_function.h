@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/interval.h"
 #include "core/base/types.h"
 
 namespace voledit {
@@ -15,7 +16,12 @@ struct PiecewiseLinear {
 
     bool operator==(const PiecewiseLinear&) const = default;
     double operator()(double x) const;
+    /// Derivative at x; at a corner that of the piece after it, 0 beyond the ends.
+    double slope(double x) const;
 };
+
+/// Bounds of the table over `x` (low ≤ high): exact, from its corners.
+Interval rangeOf(const PiecewiseLinear& table, const Interval& x);
 
 /// The same for colours.
 struct ColorTable {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/base/parallel.h"
 #include "core/fields/voxel_type.h"
@@ -92,6 +93,27 @@ ValueBricks makeValueBricks(const Volume& volume, int channel, int margin) {
         });
     });
     return result;
+}
+
+Interval rangeWithin(const Volume& volume, int channel, Interpolation interpolation, const Box3& box) {
+    const ValueBricks& bricks = volume.bricks(channel);
+    // A point a thousandth of a voxel outside still counts as inside; a B-spline reaches one sample further.
+    const double reach = interpolation == Interpolation::Cubic ? 1.002 : 0.002;
+    const Interval nothing{kInfinity, -kInfinity};
+    if (intersect({box.min - 0.002, box.max + 0.002}, volume.grid().indexDomain()).empty()) return nothing;
+    const auto brick = [&](const Vec3& x) {
+        const Vec3 inside = glm::clamp(x, Vec3(0), Vec3(volume.grid().size - 1));
+        return glm::min(Index3(inside / double(kSide)), bricks.count - 1);
+    };
+    const Index3 first = brick(box.min - reach), last = brick(box.max + reach);
+    Interval range = nothing;
+    for (int k = first.z; k <= last.z; ++k)
+        for (int j = first.y; j <= last.y; ++j)
+            for (int i = first.x; i <= last.x; ++i) {
+                const std::size_t n = bricks.indexOf({i, j, k});
+                range = join(range, Interval{bricks.low[n], bricks.high[n]});
+            }
+    return range;
 }
 
 }  // namespace voledit

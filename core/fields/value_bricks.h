@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/interval.h"
 #include "core/fields/volume.h"
 
 namespace voledit {
@@ -22,5 +23,9 @@ struct ValueBricks {
 
 /// Goes through the voxels about once, in parallel. Volume::bricks keeps the result without a margin (≥ 0, voxels).
 ValueBricks makeValueBricks(const Volume& volume, int channel, int margin = 0);
+
+/// Bounds of what a volume's channel takes in `box` (index space), by whichever interpolation; low > high where it has
+/// no value there. From Volume::bricks.
+Interval rangeWithin(const Volume& volume, int channel, Interpolation interpolation, const Box3& box);
 
 }  // namespace voledit

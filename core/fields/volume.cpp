@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <mutex>
 
+#include "core/fields/grid_view.h"
 #include "core/fields/statistics.h"
 #include "core/fields/value_bricks.h"
 #include "core/fields/voxel_type.h"
@@ -15,85 +16,8 @@ namespace voledit {
 
 namespace {
 
-constexpr double kInsideTolerance = 1e-3;  // voxels; the contract's
-
 constexpr std::array<std::string_view, 8> kTypeNames{"int8",  "uint8",  "int16", "uint16",
                                                      "int32", "uint32", "float", "double"};
-
-/// Index-space position of world points, decided and clamped once for all uses.
-class Locator {
-public:
-    Locator(const VolumeGrid& grid, const Mat4& indexFromWorld, const Vec3& rounding)
-        : indexFromWorld_(indexFromWorld), rounding_(rounding), last_(Vec3(grid.size - 1)) {
-        const Box3 domain = grid.indexDomain();
-        low_ = domain.min - kInsideTolerance - rounding;
-        high_ = domain.max + kInsideTolerance + rounding;
-    }
-
-    /// x = p's position in index space, clamped to the samples; false outside the domain.
-    bool operator()(const Vec3& p, Vec3& x) const {
-        x = transformPoint(indexFromWorld_, p);
-        if (!(x.x >= low_.x && x.y >= low_.y && x.z >= low_.z && x.x <= high_.x && x.y <= high_.y && x.z <= high_.z))
-            return false;
-        for (int a = 0; a < 3; ++a) {
-            // A sample's own position must give its own value, though its index comes out a rounding error off.
-            const double whole = double(int(x[a] + 0.5));
-            if (std::abs(x[a] - whole) <= rounding_[a]) x[a] = whole;
-            x[a] = std::min(std::max(x[a], 0.0), last_[a]);
-        }
-        return true;
-    }
-
-private:
-    Mat4 indexFromWorld_;
-    Vec3 rounding_, last_, low_, high_;
-};
-
-template <class T>
-class GridView {
-public:
-    GridView(const VolumeGrid& grid, std::span<const std::byte> voxels, int channel)
-        : values_(reinterpret_cast<const T*>(voxels.data()) + channel), size_(grid.size) {
-        stride_[0] = grid.channels;
-        stride_[1] = stride_[0] * grid.size.x;
-        stride_[2] = stride_[1] * grid.size.y;
-    }
-
-    /// Trilinear value at x in [0, n−1]. Neighbours of weight 0 are not read, so that neither memory beyond the grid
-    /// nor a NaN beside the point matters.
-    double operator()(const Vec3& x) const {
-        const std::ptrdiff_t i = int(x.x), j = int(x.y), k = int(x.z);
-        const double u = x.x - double(i), v = x.y - double(j), w = x.z - double(k);
-        const T* corner = values_ + i * stride_[0] + j * stride_[1] + k * stride_[2];
-        const std::ptrdiff_t di = u > 0 ? stride_[0] : 0;
-        const std::ptrdiff_t dj = v > 0 ? stride_[1] : 0;
-        const std::ptrdiff_t dk = w > 0 ? stride_[2] : 0;
-        const auto row = [&](const T* start) { return mix(double(start[0]), double(start[di]), u); };
-        const double low = mix(row(corner), row(corner + dj), v);
-        if (dk == 0) return low;
-        return mix(low, mix(row(corner + dk), row(corner + dk + dj), v), w);
-    }
-
-    /// Differences of one voxel along the index axes, as volume.h defines them.
-    Vec3 differences(const Vec3& x) const {
-        Vec3 g(0);
-        for (int a = 0; a < 3; ++a) {
-            if (size_[a] == 1) continue;
-            Vec3 ahead = x, behind = x;
-            ahead[a] = std::min(x[a] + 1.0, double(size_[a] - 1));
-            behind[a] = std::max(x[a] - 1.0, 0.0);
-            g[a] = ((*this)(ahead) - (*this)(behind)) / (ahead[a] - behind[a]);
-        }
-        return g;
-    }
-
-private:
-    static double mix(double a, double b, double t) { return t == 0 ? a : a + t * (b - a); }
-
-    const T* values_;
-    Index3 size_;
-    std::array<std::ptrdiff_t, 3> stride_;
-};
 
 /// Bound on the rounding error of indexFromWorld · p for p in the domain, a few units in the last place of the largest
 /// intermediate number.
@@ -220,17 +144,26 @@ double Volume::at(Index3 index, int channel) const {
                          [&](auto t) { return double(reinterpret_cast<const decltype(t)*>(voxels_.data())[value]); });
 }
 
-void Volume::sample(std::span<const Vec3> p, std::span<double> value, int channel) const {
+void Volume::sample(std::span<const Vec3> p, std::span<double> value, int channel, Interpolation interpolation) const {
     assert(p.size() == value.size() && channel >= 0 && channel < grid_.channels);
     const Locator locate(grid_, indexFromWorld_, rounding_);
     withVoxelType(type_, [&](auto t) {
         const GridView<decltype(t)> grid(grid_, voxels_, channel);
-        Vec3 x;
-        for (std::size_t n = 0; n < p.size(); ++n) value[n] = locate(p[n], x) ? grid(x) : kNaN;
+        const auto fill = [&](const auto& valueAt) {
+            Vec3 x;
+            for (std::size_t n = 0; n < p.size(); ++n) value[n] = locate(p[n], x) ? valueAt(x) : kNaN;
+        };
+        if (interpolation == Interpolation::Linear)
+            fill(grid);
+        else if (interpolation == Interpolation::Nearest)
+            fill([&](const Vec3& x) { return grid.nearest(x); });
+        else
+            fill([&](const Vec3& x) { return grid.cubic(x); });
     });
 }
 
-void Volume::gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int channel) const {
+void Volume::gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int channel,
+                      Interpolation interpolation) const {
     assert(p.size() == gradient.size() && channel >= 0 && channel < grid_.channels);
     const Locator locate(grid_, indexFromWorld_, rounding_);
     const Mat3 worldFromDifferences = glm::transpose(Mat3(indexFromWorld_));
@@ -238,7 +171,10 @@ void Volume::gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int cha
         const GridView<decltype(t)> grid(grid_, voxels_, channel);
         Vec3 x;
         for (std::size_t n = 0; n < p.size(); ++n)
-            gradient[n] = locate(p[n], x) ? worldFromDifferences * grid.differences(x) : Vec3(0);
+            gradient[n] = locate(p[n], x)
+                              ? worldFromDifferences * (interpolation == Interpolation::Cubic ? grid.cubicGradient(x)
+                                                                                              : grid.differences(x))
+                              : Vec3(0);
     });
 }
 

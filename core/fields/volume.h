@@ -61,7 +61,7 @@ struct ValueBricks;
 
 /// An immutable grid of samples. Voxels are owned by whatever `owner` is (heap, or memory that another process
 /// filled), i fastest, channels interleaved, in the machine's byte order. Rescale slope and intercept are applied
-/// already. Interpolation is trilinear; nothing is resampled, ever.
+/// already. Nothing is resampled, ever.
 class Volume {
 public:
     /// `voxels` must hold grid.valueCount() values of `type` and live as long as `owner`.
@@ -84,18 +84,23 @@ public:
     /// Stored value at a whole index (must be inside the grid).
     double at(Index3 index, int channel = 0) const;
 
-    /// value[n] = trilinear value of `channel` at world point p[n]; NaN outside the domain (a point within 0.001
-    /// voxel of it counts as inside and is clamped) and where p is undefined. At a sample's position it is the stored
-    /// value to the bit. Sizes must be equal. Runs in the calling thread.
-    void sample(std::span<const Vec3> p, std::span<double> value, int channel = 0) const;
+    /// value[n] = value of `channel` at world point p[n]; NaN outside the domain (a point within 0.001 voxel of it
+    /// counts as inside and is clamped) and where p is undefined. Sizes must be equal. Runs in the calling thread.
+    /// Linear: trilinear; at a sample's position the stored value to the bit. Nearest: the stored value of the nearest
+    /// sample. Cubic: the samples as coefficients of a uniform tricubic B-spline (repeated beyond the ends), which is
+    /// smooth to the second derivative and smooths noise; it does not pass through the samples.
+    void sample(std::span<const Vec3> p, std::span<double> value, int channel = 0,
+                Interpolation interpolation = Interpolation::Linear) const;
 
-    /// gradient[n] = gradient of the trilinear field T in world units⁻¹, by central differences of one voxel, which is
-    /// what the slices use too; 0 outside. With x = indexFromWorld · p clamped to [0, n−1], the axes a of index space
-    /// each give, with b = min(xₐ + 1, nₐ − 1) and c = max(xₐ − 1, 0) and the other coordinates of x as they are,
+    /// gradient[n] = gradient in world units⁻¹; 0 outside. Cubic: the B-spline's own. Linear and nearest: of the
+    /// trilinear field T, by central differences of one voxel, which is what the slices use too: with
+    /// x = indexFromWorld · p clamped to [0, n−1], the axes a of index space each give, with b = min(xₐ + 1, nₐ − 1)
+    /// and c = max(xₐ − 1, 0) and the other coordinates of x as they are,
     ///   gₐ = (T(xₐ := b) − T(xₐ := c)) / (b − c), or 0 where nₐ = 1,
     /// so differences become one-sided towards the domain's faces; the result is (indexFromWorld's linear part)ᵀ · g.
     /// Sizes must be equal. Runs in the calling thread.
-    void gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int channel = 0) const;
+    void gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int channel = 0,
+                  Interpolation interpolation = Interpolation::Linear) const;
 
 private:
     struct Lazy;

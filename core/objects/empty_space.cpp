@@ -16,14 +16,6 @@ namespace {
 constexpr int kFinestCells = 64;  // along the longest side of the bounds
 constexpr int kLevels = 3;
 
-/// `box` moved by an affine matrix, as a box: by centre and half sides, cheaper than eight corners.
-Box3 moved(const Box3& box, const Mat4& m) {
-    const Vec3 centre = transformPoint(m, box.center()), half = 0.5 * (box.max - box.min);
-    Vec3 reach(0);
-    for (int c = 0; c < 3; ++c) reach += glm::abs(Vec3(m[c])) * half[c];
-    return {centre - reach, centre + reach};
-}
-
 }  // namespace
 
 VisibleBricks::VisibleBricks(const VolumeTerm& node) : domain_(node.volume->grid().indexDomain()) {
@@ -69,7 +61,7 @@ bool mayBeVisible(const Term& term, const Box3& box) {
     if (const auto* transfer = std::get_if<TransferTerm>(&term.node))
         return transfer->by->anySourceBox(box, [&](const Box3& source) { return mayBeVisible(*transfer->of, source); });
     const auto& volume = std::get<VolumeTerm>(term.node);
-    return term.cache->visibleBricks(volume).mayBeVisible(moved(box, volume.volume->indexFromWorld()));
+    return term.cache->visibleBricks(volume).mayBeVisible(movedBox(box, volume.volume->indexFromWorld()));
 }
 
 EmptySpace::EmptySpace(const Term& term) : bounds_(term.bounds) {
