@@ -1,8 +1,9 @@
 #pragma once
 // STFs made of others: sequences, and the displacement (SD) algebra (definitions.md §§3, 3.1). An SD object Δ is kept
 // as the STF p + Δ(p): `displace` is a transfer by it.
-// Jacobians follow by the chain and product rules. Where an operand with cells has several pre-images, its first one
-// counts. All need at least one operand, none of them null.
+// Jacobians follow by the chain and product rules; where all operands are affine and weights constant, so is the map.
+// Where an operand with cells has several pre-images, its first one counts. All need at least one operand, none of them
+// null.
 
 #include <vector>
 
@@ -22,6 +23,7 @@ public:
     void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
     bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const override;
+    std::optional<Mat4> affine() const override;
     void accept(TransferVisitor& visitor) const override { visitor.visit(*this); }
 
 private:
@@ -40,6 +42,7 @@ public:
     void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
     bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const override;
+    std::optional<Mat4> affine() const override;
     void accept(TransferVisitor& visitor) const override { visitor.visit(*this); }
 
 private:
@@ -57,6 +60,7 @@ public:
     void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
     bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const override;
+    std::optional<Mat4> affine() const override;
     void accept(TransferVisitor& visitor) const override { visitor.visit(*this); }
 
 private:
@@ -94,6 +98,7 @@ public:
     void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
     bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const override;
+    std::optional<Mat4> affine() const override;
     void accept(TransferVisitor& visitor) const override { visitor.visit(*this); }
 
 private:
