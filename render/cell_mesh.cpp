@@ -185,7 +185,7 @@ CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed
     const auto tetrahedra = cells.tetrahedra();
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         if (cells.determinants()[t] == 0) continue;
-        if (seen[t / 6])
+        if (seen[t / cells.tetrahedraPerCell()])
             mesh.cellVertices.insert(mesh.cellVertices.end(), tetrahedra[t].begin(), tetrahedra[t].end());
         else
             ++mesh.culled;

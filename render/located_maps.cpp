@@ -13,7 +13,7 @@ namespace voledit {
 
 namespace {
 
-constexpr double kGridCellsPerHexahedron = 4;
+constexpr double kGridCellsPerCell = 4;
 constexpr int kMaxResolution = 256;
 /// Grid cells that the boxes of a map's tetrahedra may meet, for each of them; cells that are long and oblique get a
 /// coarser grid.
@@ -50,7 +50,7 @@ Grid gridOver(const MappedCells& cells) {
     const Box3& bounds = cells.bounds();
     const Vec3 size = bounds.size();
     const Vec3 extent = glm::max(size, Vec3(std::max({size.x, size.y, size.z, 1e-30}) * 1e-6));
-    const double count = kGridCellsPerHexahedron * double(std::max<std::size_t>(cells.hexahedra().size(), 1));
+    const double count = kGridCellsPerCell * double(std::max<std::size_t>(cells.cellCount(), 1));
     for (double side = std::cbrt(extent.x * extent.y * extent.z / count);; side *= 1.5) {
         Grid grid;
         grid.resolution =
@@ -191,14 +191,14 @@ LocatedMaps makeLocatedMaps(const SlicePlan& plan) {
 
 std::vector<char> hexahedraSeen(const SlicePlan& plan, const Visibility& visibility, double slab) {
     const MappedCells& cells = *plan.forward->by->cells();
-    std::vector<char> seen(cells.hexahedra().size(), 1);
+    std::vector<char> seen(cells.cellCount(), 1);
     if (visibility.seesEverything()) return seen;
     const Mat3 deformedFromWorld = glm::inverse(Mat3(plan.worldFromDeformed));
     parallelFor(seen.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t h = begin; h < end; ++h) {
             Box3 box;
             Vec3 reach(0);
-            for (const std::uint32_t v : cells.hexahedra()[h]) {
+            for (const std::uint32_t v : cells.cellVertices(h)) {
                 box = join(box, cells.source()[v]);
                 const Mat3 rows = glm::transpose(cells.jacobians()[v] * deformedFromWorld);
                 reach = glm::max(reach, Vec3(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])));

@@ -10,8 +10,8 @@
 namespace voledit {
 
 namespace {
-/// Grid entries for each hexahedron that are worth their memory; cells that all lie over each other get a coarser grid.
-constexpr std::size_t kEntriesPerHexahedron = 48;
+/// Grid entries for each cell that are worth their memory; cells that all lie over each other get a coarser grid.
+constexpr std::size_t kEntriesPerCell = 48;
 constexpr int kMaxResolution = 512;
 
 /// Weights of the nearby point that is in the tetrahedron; as they are where the point is.
@@ -23,7 +23,7 @@ void clampWeights(std::array<double, 4>& weights) {
 }
 }  // namespace
 
-CellLocator::CellLocator(const MappedCells& cells) {
+CellLocator::CellLocator(const MappedCells& cells) : perCell_(cells.tetrahedraPerCell()) {
     buildInverses(cells);
     buildGrid(cells);
 }
@@ -56,11 +56,10 @@ void CellLocator::buildInverses(const MappedCells& cells) {
 }
 
 void CellLocator::buildGrid(const MappedCells& cells) {
-    const auto hexahedra = cells.hexahedra();
-    boxes_.resize(hexahedra.size());
-    for (std::size_t h = 0; h < hexahedra.size(); ++h) {
-        Box3& box = boxes_[h];
-        for (const std::uint32_t v : hexahedra[h]) box = join(box, cells.deformed()[v]);
+    boxes_.resize(cells.cellCount());
+    for (std::size_t c = 0; c < boxes_.size(); ++c) {
+        Box3& box = boxes_[c];
+        for (const std::uint32_t v : cells.cellVertices(c)) box = join(box, cells.deformed()[v]);
         box = {box.min - cells.thickness(), box.max + cells.thickness()};
         bounds_ = join(bounds_, box);
     }
@@ -68,7 +67,7 @@ void CellLocator::buildGrid(const MappedCells& cells) {
     const double longest = std::max({size.x, size.y, size.z});
     if (!(longest > 0)) return fillGrid(resolution_);  // no cells, or all in one point
     const Vec3 extent = glm::max(size, Vec3(1e-9 * longest));
-    double side = std::cbrt(extent.x * extent.y * extent.z / (4 * double(hexahedra.size())));
+    double side = std::cbrt(extent.x * extent.y * extent.z / (4 * double(boxes_.size())));
     for (;; side *= 1.5) {
         for (int a = 0; a < 3; ++a) {
             resolution_[a] = std::clamp(int(std::min(extent[a] / side, 1e6)), 1, kMaxResolution);
@@ -80,19 +79,19 @@ void CellLocator::buildGrid(const MappedCells& cells) {
             const Index3 count = last - first + 1;
             entries += std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z);
         }
-        if (resolution_ == Index3(1) || entries <= kEntriesPerHexahedron * hexahedra.size()) break;
+        if (resolution_ == Index3(1) || entries <= kEntriesPerCell * boxes_.size()) break;
     }
     fillGrid(resolution_);
 }
 
 void CellLocator::fillGrid(const Index3& resolution) {
     const auto forEntries = [&](const auto& body) {
-        for (std::uint32_t h = 0; h < boxes_.size(); ++h) {
-            const auto [first, last] = range(boxes_[h]);
+        for (std::uint32_t c = 0; c < boxes_.size(); ++c) {
+            const auto [first, last] = range(boxes_[c]);
             for (int k = first.z; k <= last.z; ++k)
                 for (int j = first.y; j <= last.y; ++j)
                     for (int i = first.x; i <= last.x; ++i)
-                        body(h, std::size_t(i) + std::size_t(resolution.x) *
+                        body(c, std::size_t(i) + std::size_t(resolution.x) *
                                                      (std::size_t(j) + std::size_t(resolution.y) * std::size_t(k)));
         }
     };
@@ -101,7 +100,7 @@ void CellLocator::fillGrid(const Index3& resolution) {
     for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
     entries_.resize(starts_.back());
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    forEntries([&](std::uint32_t h, std::size_t cell) { entries_[next[cell]++] = h; });
+    forEntries([&](std::uint32_t c, std::size_t cell) { entries_[next[cell]++] = c; });
 }
 
 std::pair<Index3, Index3> CellLocator::range(const Box3& box) const {
@@ -129,9 +128,9 @@ std::array<double, 4> CellLocator::weights(const Inverse& tetrahedron, const Vec
 /// Calls accepted(tetrahedron, weights) in list order until it gives true.
 template <class Visit>
 void CellLocator::visit(const Vec3& p, const Visit& accepted) const {
-    for (const std::uint32_t h : candidates(p)) {
-        if (!boxes_[h].contains(p)) continue;
-        for (std::uint32_t t = 6 * h; t < 6 * h + 6; ++t) {
+    for (const std::uint32_t c : candidates(p)) {
+        if (!boxes_[c].contains(p)) continue;
+        for (std::uint32_t t = perCell_ * c; t < perCell_ * (c + 1); ++t) {
             const Inverse& inverse = inverses_[t];
             auto w = weights(inverse, p);
             bool inside = true;
@@ -177,11 +176,11 @@ bool CellLocator::anyMeeting(const Box3& box, const std::function<bool(std::uint
     for (int k = first.z; k <= last.z; ++k)
         for (int j = first.y; j <= last.y; ++j)
             for (int i = first.x; i <= last.x; ++i)
-                for (const std::uint32_t h : entriesOf({i, j, k})) {
-                    // Only in the first cell that the two share, so that none comes twice.
-                    if (intersect(boxes_[h], common).empty()) continue;
-                    if (glm::max(range(boxes_[h]).first, first) != Index3(i, j, k)) continue;
-                    for (std::uint32_t t = 6 * h; t < 6 * h + 6; ++t)
+                for (const std::uint32_t c : entriesOf({i, j, k})) {
+                    // Only in the first grid cell that the two share, so that none comes twice.
+                    if (intersect(boxes_[c], common).empty()) continue;
+                    if (glm::max(range(boxes_[c]).first, first) != Index3(i, j, k)) continue;
+                    for (std::uint32_t t = perCell_ * c; t < perCell_ * (c + 1); ++t)
                         if (inverses_[t].tolerance[0] >= 0 && mayMeet(inverses_[t]) && found(t)) return true;
                 }
     return false;
@@ -199,8 +198,8 @@ bool CellLocator::wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& f
         return true;
     };
     if (tries(hint)) return true;
-    const std::uint32_t start = hint / 6 * 6, last = hint;
-    for (std::uint32_t t = start; t < start + 6; ++t)
+    const std::uint32_t start = hint / perCell_ * perCell_, last = hint;
+    for (std::uint32_t t = start; t < start + perCell_; ++t)
         if (t != last && tries(t)) return true;
     return false;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Point location in mapped cells: a uniform grid over the hexahedra, exact tests of their tetrahedra.
+// Point location in mapped cells: a uniform grid over the cells, exact tests of their tetrahedra.
 
 #include <span>
 #include <vector>
@@ -23,7 +23,7 @@ public:
     bool anyMeeting(const Box3& box, const std::function<bool(std::uint32_t)>& found) const;
     /// Takes p − (vertex 0) to the weights of vertices 1, 2, 3.
     const Mat3& weightsFromEdge(std::uint32_t tetrahedron) const { return inverses_[tetrahedron].weightsFromEdge; }
-    /// Whether p lies in tetrahedron `hint` or one of its hexahedron's, farther from its faces than tolerance.
+    /// Whether p lies in tetrahedron `hint` or another of its cell, farther from its faces than tolerance.
     bool wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
 
 private:
@@ -38,18 +38,19 @@ private:
     void fillGrid(const Index3& resolution);
     /// Grid cells that `box` meets: from first to last, inclusive.
     std::pair<Index3, Index3> range(const Box3& box) const;
-    /// Hexahedra whose boxes meet the grid cell of p, ascending; empty outside.
+    /// Cells whose boxes meet the grid cell of p, ascending; empty outside.
     std::span<const std::uint32_t> candidates(const Vec3& p) const;
     std::span<const std::uint32_t> entriesOf(const Index3& gridCell) const;
     template <class Visit>
     void visit(const Vec3& p, const Visit& accepted) const;
 
+    std::uint32_t perCell_;  // tetrahedra of each cell
     std::vector<Inverse> inverses_;
-    std::vector<Box3> boxes_;  // of the hexahedra, grown by the tolerance
+    std::vector<Box3> boxes_;  // of the cells, grown by the tolerance
     Box3 bounds_;
     Index3 resolution_{1};
     Vec3 cellsPerUnit_{0};
-    std::vector<std::uint32_t> starts_;  // of each grid cell's hexahedra in entries_; one more at the end
+    std::vector<std::uint32_t> starts_;  // of each grid cell's list in entries_; one more at the end
     std::vector<std::uint32_t> entries_;
 };
 

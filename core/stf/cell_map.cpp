@@ -17,14 +17,14 @@ void CellMap::jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const 
     CellLocation at{};
     std::uint32_t hint = 0;
     for (std::size_t i = 0; i < p.size(); ++i)
-        jacobian[i] = cells_.locateNear(p[i], hint, at) ? cells_.jacobianAt(at) : Mat3(1.0);
+        jacobian[i] = cells_.cellCount() > 0 && cells_.locateNear(p[i], hint, at) ? cells_.jacobianAt(at) : Mat3(1.0);
 }
 
 Box3 CellMap::imageOf(const Box3& rest) const {
     Box3 image = outside_ == Outside::Keep ? rest : Box3{};
-    for (const auto& hexahedron : cells_.hexahedra()) {
+    for (std::size_t c = 0; c < cells_.cellCount(); ++c) {
         Box3 source, deformed;
-        for (const auto vertex : hexahedron) {
+        for (const auto vertex : cells_.cellVertices(c)) {
             source = join(source, cells_.source()[vertex]);
             deformed = join(deformed, cells_.deformed()[vertex]);
         }
@@ -45,6 +45,7 @@ TransferPtr scaledCells(const SpatialTransferFunction& map, double amount) {
     data.source.assign(cells.source().begin(), cells.source().end());
     data.jacobian.assign(cells.jacobians().begin(), cells.jacobians().end());
     data.hexahedra.assign(cells.hexahedra().begin(), cells.hexahedra().end());
+    if (data.hexahedra.empty()) data.tetrahedra.assign(cells.tetrahedra().begin(), cells.tetrahedra().end());
     for (std::size_t v = 0; v < data.source.size(); ++v)
         data.source[v] = data.deformed[v] + amount * (data.source[v] - data.deformed[v]);
     for (Mat3& jacobian : data.jacobian) jacobian = Mat3(1) + amount * (jacobian - Mat3(1));

@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A tetrahedron's face on the outside of its hexahedron.
+/// A tetrahedron's face on the outside of its cell.
 struct Face {
     Triangle vertices;  // ascending
     int side;           // +1, −1: where the tetrahedron lies, seen from the vertices in this order
@@ -33,15 +33,16 @@ bool repeats(const std::array<std::uint32_t, 4>& t) {
     return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] || t[2] == t[3];
 }
 
-/// The faces on the hexahedra's outsides; nullopt if a hexahedron is folded or holds a degenerate tetrahedron.
-/// Tetrahedra with a vertex twice are cells collapsed on purpose (a wedge): their neighbours share a face all the same.
+/// The faces on the cells' outsides; nullopt if a hexahedron is folded or a tetrahedron degenerate. Tetrahedra with a
+/// vertex twice are cells collapsed on purpose (a wedge): their neighbours share a face all the same.
 std::optional<std::vector<Face>> outsides(const MappedCells& cells) {
     const auto tetrahedra = cells.tetrahedra();
+    const std::size_t perCell = cells.tetrahedraPerCell();
     std::vector<Face> faces;
-    faces.reserve(2 * tetrahedra.size());
-    for (std::size_t h = 0; h < cells.hexahedra().size(); ++h) {
+    faces.reserve((perCell == 1 ? 4 : 2) * tetrahedra.size());
+    for (std::size_t c = 0; c < cells.cellCount(); ++c) {
         int orientation = 0;
-        for (std::size_t n = 6 * h; n < 6 * h + 6; ++n) {
+        for (std::size_t n = perCell * c; n < perCell * (c + 1); ++n) {
             const auto& t = tetrahedra[n];
             if (repeats(t)) continue;
             if (cells.determinants()[n] == 0) return std::nullopt;
@@ -51,9 +52,11 @@ std::optional<std::vector<Face>> outsides(const MappedCells& cells) {
             const int side = volume > 0 ? 1 : -1;
             if (orientation == -side) return std::nullopt;
             orientation = side;
-            // The other two faces hold the diagonal: they lie between tetrahedra of this hexahedron.
             faces.push_back(makeFace({t[0], t[1], t[2]}, side));
             faces.push_back(makeFace({t[1], t[2], t[3]}, -side));
+            if (perCell > 1) continue;  // the other two hold the diagonal, between tetrahedra of this hexahedron
+            faces.push_back(makeFace({t[0], t[2], t[3]}, side));
+            faces.push_back(makeFace({t[0], t[1], t[3]}, -side));
         }
     }
     return faces;
@@ -112,7 +115,7 @@ bool touchElsewhere(std::span<const Vec3> positions, const Triangle& a, const Tr
     return farEdgeTouches(cornersA, sharedA, cornersB) || farEdgeTouches(cornersB, sharedB, cornersA);
 }
 
-/// Boxes of the sets of hexahedra that hang together by vertices.
+/// Boxes of the sets of cells that hang together by vertices.
 std::vector<Box3> componentBoxes(const MappedCells& cells) {
     std::vector<std::uint32_t> parent(cells.deformed().size());
     std::iota(parent.begin(), parent.end(), 0u);
@@ -120,26 +123,29 @@ std::vector<Box3> componentBoxes(const MappedCells& cells) {
         while (parent[v] != v) v = parent[v] = parent[parent[v]];
         return v;
     };
-    for (const auto& hexahedron : cells.hexahedra())
-        for (const std::uint32_t v : hexahedron) parent[rootOf(v)] = rootOf(hexahedron[0]);
+    for (std::size_t c = 0; c < cells.cellCount(); ++c)
+        for (const std::uint32_t v : cells.cellVertices(c)) parent[rootOf(v)] = rootOf(cells.cellVertices(c)[0]);
     std::vector<Box3> boxOfRoot(parent.size());
-    for (const auto& hexahedron : cells.hexahedra())
-        for (const std::uint32_t v : hexahedron) {
-            Box3& box = boxOfRoot[rootOf(hexahedron[0])];
+    for (std::size_t c = 0; c < cells.cellCount(); ++c)
+        for (const std::uint32_t v : cells.cellVertices(c)) {
+            Box3& box = boxOfRoot[rootOf(v)];
             box = join(box, cells.deformed()[v]);
         }
     std::erase_if(boxOfRoot, [](const Box3& box) { return box.empty(); });
     return boxOfRoot;
 }
 
-bool someBoxWithinAnother(std::vector<Box3> boxes) {
-    std::sort(boxes.begin(), boxes.end(), [](const Box3& a, const Box3& b) { return a.min.x < b.min.x; });
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (std::size_t j = i + 1; j < boxes.size() && boxes[j].min.x <= boxes[i].max.x; ++j) {
-            const auto within = [](const Box3& a, const Box3& b) { return b.contains(a.min) && b.contains(a.max); };
-            if (within(boxes[j], boxes[i]) || within(boxes[i], boxes[j])) return true;
-        }
-    return false;
+/// True too where so many boxes meet that trying all pairs would take too long.
+bool somePair(std::span<const Box3> boxes, const std::function<bool(std::uint32_t, std::uint32_t)>& met) {
+    std::size_t tries = 1'000'000 + 100 * boxes.size();
+    return anyPairOfBoxes(boxes, [&](std::uint32_t a, std::uint32_t b) { return tries-- == 0 || met(a, b); });
+}
+
+bool someBoxWithinAnother(std::span<const Box3> boxes) {
+    const auto within = [](const Box3& a, const Box3& b) { return b.contains(a.min) && b.contains(a.max); };
+    return somePair(boxes, [&](std::uint32_t a, std::uint32_t b) {
+        return within(boxes[a], boxes[b]) || within(boxes[b], boxes[a]);
+    });
 }
 
 }  // namespace
@@ -154,7 +160,7 @@ bool cellsMayOverlap(const MappedCells& cells) {
         for (const std::uint32_t v : (*triangles)[i]) boxes[i] = join(boxes[i], cells.deformed()[v]);
         boxes[i].max += cells.thickness();
     }
-    const bool touch = anyPairOfBoxes(boxes, [&](std::uint32_t a, std::uint32_t b) {
+    const bool touch = somePair(boxes, [&](std::uint32_t a, std::uint32_t b) {
         return touchElsewhere(cells.deformed(), (*triangles)[a], (*triangles)[b], cells.thickness());
     });
     return touch || someBoxWithinAnother(componentBoxes(cells));

@@ -22,14 +22,26 @@ const std::array<std::array<int, 4>, 6> kHexahedronTetrahedra{
 
 namespace {
 
-constexpr std::size_t kMaxHexahedra = 50'000'000;  // point location counts in 32 bits
+constexpr std::size_t kMaxTetrahedra = 300'000'000;  // point location counts in 32 bits
 
 bool finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+template <std::size_t N>
+void validateIndices(const std::vector<std::array<std::uint32_t, N>>& cells, std::size_t vertices,
+                     const std::string& remedy) {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        for (const std::uint32_t v : cells[c])
+            if (v >= vertices)
+                throw Error("mapped cells",
+                            "cell " + std::to_string(c) + " names vertex " + std::to_string(v) + " of " +
+                                std::to_string(vertices),
+                            remedy);
+}
+
 void validate(const MappedCells::Data& data) {
-    const std::string remedy = "give eight indices for each cell and a finite source point for each deformed one";
+    const std::string remedy = "give each cell indices of vertices and each deformed point a finite source point";
     if (data.deformed.size() != data.source.size())
         throw Error("mapped cells",
                     std::to_string(data.deformed.size()) + " deformed positions but " +
@@ -41,16 +53,14 @@ void validate(const MappedCells::Data& data) {
         for (std::size_t v = 0; v < positions->size(); ++v)
             if (!finite((*positions)[v]))
                 throw Error("mapped cells", "position " + std::to_string(v) + " is not finite", remedy);
-    for (std::size_t h = 0; h < data.hexahedra.size(); ++h)
-        for (const std::uint32_t v : data.hexahedra[h])
-            if (v >= data.deformed.size())
-                throw Error("mapped cells",
-                            "cell " + std::to_string(h) + " names vertex " + std::to_string(v) + " of " +
-                                std::to_string(data.deformed.size()),
-                            remedy);
-    if (data.hexahedra.size() > kMaxHexahedra)
-        throw Error("mapped cells", std::to_string(data.hexahedra.size()) + " cells are too many",
-                    "use at most " + std::to_string(kMaxHexahedra));
+    if (!data.hexahedra.empty() && !data.tetrahedra.empty())
+        throw Error("mapped cells", "there are hexahedra and tetrahedra", "split the hexahedra into tetrahedra");
+    validateIndices(data.hexahedra, data.deformed.size(), remedy);
+    validateIndices(data.tetrahedra, data.deformed.size(), remedy);
+    if (6 * data.hexahedra.size() + data.tetrahedra.size() > kMaxTetrahedra)
+        throw Error("mapped cells",
+                    std::to_string(data.hexahedra.size() + data.tetrahedra.size()) + " cells are too many",
+                    "use at most " + std::to_string(kMaxTetrahedra) + " tetrahedra, six for each hexahedron");
 }
 
 /// Edges of a tetrahedron from its first vertex, as columns.
@@ -106,27 +116,38 @@ struct MappedCells::Lazy {
 
 MappedCells::MappedCells(Data data) : data_(std::move(data)), lazy_(std::make_unique<Lazy>()) {
     validate(data_);
+    tetrahedra_ = std::move(data_.tetrahedra);
+    data_.tetrahedra.clear();
+    splitHexahedra();
+    for (std::size_t c = 0; c < cellCount(); ++c)
+        for (const std::uint32_t v : cellVertices(c)) bounds_ = join(bounds_, data_.deformed[v]);
+    setThickness();
+    determinants_.resize(tetrahedra_.size());
+    parallelFor(tetrahedra_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            determinants_[t] =
+                determinantOf(edges(data_.deformed, tetrahedra_[t]), edges(data_.source, tetrahedra_[t]), thickness_);
+    });
+    if (data_.jacobian.empty()) data_.jacobian = averagedJacobians(data_, tetrahedra_, determinants_);
+}
+
+void MappedCells::setThickness() {
     double largest = 0;
-    for (const auto& hexahedron : data_.hexahedra)
-        for (const std::uint32_t v : hexahedron) bounds_ = join(bounds_, data_.deformed[v]);
     if (!bounds_.empty())
         for (int a = 0; a < 3; ++a)
             largest = std::max({largest, std::abs(bounds_.min[a]), std::abs(bounds_.max[a]), bounds_.size()[a]});
     thickness_ = 32 * std::numeric_limits<double>::epsilon() * largest;
+}
 
+void MappedCells::splitHexahedra() {
+    if (data_.hexahedra.empty()) return;
     tetrahedra_.resize(data_.hexahedra.size() * 6);
-    determinants_.resize(tetrahedra_.size());
     parallelFor(data_.hexahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t h = begin; h < end; ++h)
-            for (std::size_t n = 0; n < 6; ++n) {
-                auto& tetrahedron = tetrahedra_[6 * h + n];
+            for (std::size_t n = 0; n < 6; ++n)
                 for (std::size_t v = 0; v < 4; ++v)
-                    tetrahedron[v] = data_.hexahedra[h][std::size_t(kHexahedronTetrahedra[n][v])];
-                determinants_[6 * h + n] =
-                    determinantOf(edges(data_.deformed, tetrahedron), edges(data_.source, tetrahedron), thickness_);
-            }
+                    tetrahedra_[6 * h + n][v] = data_.hexahedra[h][std::size_t(kHexahedronTetrahedra[n][v])];
     });
-    if (data_.jacobian.empty()) data_.jacobian = averagedJacobians(data_, tetrahedra_, determinants_);
 }
 
 MappedCells::~MappedCells() = default;
@@ -191,11 +212,15 @@ Mat3 MappedCells::jacobianAt(const CellLocation& at) const {
     return result;
 }
 
-bool MappedCells::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
+bool MappedCells::anyTetrahedron(const Box3& box, const std::function<bool(std::uint32_t)>& found) const {
     // A point that a tetrahedron accepts from just outside is taken for one within.
     const double slack = 8 * thickness_;
-    const Vec3 centre = box.center(), half = 0.5 * (box.max - box.min) + slack;
-    return locator().anyMeeting({box.min - slack, box.max + slack}, [&](std::uint32_t n) {
+    return locator().anyMeeting({box.min - slack, box.max + slack}, found);
+}
+
+bool MappedCells::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
+    const Vec3 centre = box.center(), half = 0.5 * (box.max - box.min) + 8 * thickness_;
+    return anyTetrahedron(box, [&](std::uint32_t n) {
         const auto& t = tetrahedra_[n];
         const Mat3 stretch = edges(data_.source, t) * locator().weightsFromEdge(n);
         const Vec3 middle = data_.source[t[0]] + stretch * (centre - data_.deformed[t[0]]);

@@ -21,10 +21,11 @@ struct CellLocation {
     std::array<double, 4> barycentric;  // weights of its vertices, each ≥ 0, sum 1
 };
 
-/// Hexahedra with deformed positions and source coordinates at their vertices, each split into six tetrahedra along
-/// the diagonal 0–7 (vertices numbered i + 2j + 4k), the same way in every cell, so that neighbours share their face
-/// diagonals and leave no crack. Within a tetrahedron the map is affine, so barycentric interpolation gives q from p
-/// exactly. Knows nothing of where it came from. Immutable after construction.
+/// Cells with deformed positions and source coordinates at their vertices: hexahedra, each split into six tetrahedra
+/// along the diagonal 0–7 (vertices numbered i + 2j + 4k), the same way in every cell, so that neighbours share their
+/// face diagonals and leave no crack; or tetrahedra by themselves, oriented either way. Within a tetrahedron the map is
+/// affine, so barycentric interpolation gives q from p exactly. Knows nothing of where it came from. Immutable after
+/// construction.
 class MappedCells {
 public:
     struct Data {
@@ -33,10 +34,12 @@ public:
         std::vector<Mat3> jacobian;  // dq/dp at each vertex; empty: taken from the tetrahedra around the vertex
         std::vector<std::array<std::uint32_t, 8>> hexahedra;
         /// Tetrahedra by themselves, in place of hexahedra: meshes. At most one of the two lists may hold anything.
+        /// They are handed over to `MappedCells::tetrahedra()`.
         std::vector<std::array<std::uint32_t, 4>> tetrahedra;
     };
 
-    /// Throws Error if an index is out of range, a size differs, or a position is not finite. Cheap; what only point
+    /// Throws Error if an index is out of range, a size differs, a position is not finite, or there are both hexahedra
+    /// and tetrahedra. Cheap; what only point
     /// location needs is built on its first use (safely from many threads).
     explicit MappedCells(Data data);
     ~MappedCells();
@@ -46,10 +49,20 @@ public:
     std::span<const Vec3> deformed() const { return data_.deformed; }
     std::span<const Vec3> source() const { return data_.source; }
     std::span<const Mat3> jacobians() const { return data_.jacobian; }
+    /// Empty where the cells are tetrahedra.
     std::span<const std::array<std::uint32_t, 8>> hexahedra() const { return data_.hexahedra; }
-    /// Six for each hexahedron, in its order: tetrahedron t belongs to hexahedron t / 6. Degenerate ones (zero
+    /// Those of the cells, in their order: tetrahedron t belongs to cell t / tetrahedraPerCell(). Degenerate ones (zero
     /// deformed volume) stay in the list, so that indices hold, but are never found nor drawn.
     std::span<const std::array<std::uint32_t, 4>> tetrahedra() const { return tetrahedra_; }
+    /// 6 where the cells are hexahedra, 1 where they are tetrahedra.
+    std::uint32_t tetrahedraPerCell() const { return data_.hexahedra.empty() ? 1 : 6; }
+    /// Hexahedra, or tetrahedra that stand by themselves.
+    std::size_t cellCount() const { return tetrahedra_.size() / tetrahedraPerCell(); }
+    /// The eight or four vertices of a cell.
+    std::span<const std::uint32_t> cellVertices(std::size_t cell) const {
+        if (data_.hexahedra.empty()) return tetrahedra_[cell];
+        return data_.hexahedra[cell];
+    }
     /// Signed deformed volume × 6 over source volume × 6 (the determinant of dp/dq); negative where the map folds, 0
     /// where degenerate, ±infinity where only the source is flat. One for each tetrahedron.
     std::span<const double> determinants() const { return determinants_; }
@@ -83,6 +96,8 @@ public:
     /// Calls found(source) with boxes in source space, one for each tetrahedron that may hold points of `box`, until it
     /// gives true; gives whether it did. Every source point of a point in `box` lies in one of them.
     bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const;
+    /// Calls found(t) for each tetrahedron that may hold points of `box`, until it gives true; gives whether it did.
+    bool anyTetrahedron(const Box3& box, const std::function<bool(std::uint32_t)>& found) const;
 
     /// q[i] of each p[i] in parallel (`locate`, `sourceAt`); kUndefined outside. Needs equal sizes; may alias.
     void map(std::span<const Vec3> p, std::span<Vec3> q) const;
@@ -90,6 +105,8 @@ public:
 private:
     struct Lazy;
     const CellLocator& locator() const;
+    void setThickness();
+    void splitHexahedra();
 
     Data data_;
     std::vector<std::array<std::uint32_t, 4>> tetrahedra_;
