@@ -119,10 +119,8 @@ Box3 FieldsMap::imageOf(const Box3& rest) const {
 
 bool FieldsMap::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
     if (outside_ == Outside::Keep && found(box)) return true;
-    const Box3 inside = intersect(box, commonDomain(fields_));
-    const Box3 values = inside.empty() ? inside : valuesIn(fields_, inside);
-    if (inside.empty() || values.empty()) return false;
-    return found(displacement_ ? combination(1, inside, 1, values) : values);
+    const Box3 values = valuesIn(fields_, box);
+    return !values.empty() && found(displacement_ ? combination(1, box, 1, values) : values);
 }
 
 }  // namespace voledit
