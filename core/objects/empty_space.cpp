@@ -6,8 +6,8 @@
 
 #include "core/base/parallel.h"
 #include "core/fields/value_bricks.h"
+#include "core/objects/term_bounds.h"
 #include "core/objects/term_cache.h"
-#include "core/stf/mapped_cells.h"
 
 namespace voledit {
 
@@ -18,7 +18,9 @@ constexpr int kLevels = 3;
 
 }  // namespace
 
-VisibleBricks::VisibleBricks(const VolumeTerm& node) : domain_(node.volume->grid().indexDomain()) {
+// A point a thousandth of a voxel outside still counts as inside, and is clamped; a B-spline reaches one sample on.
+VisibleBricks::VisibleBricks(const VolumeTerm& node)
+    : domain_(node.volume->grid().indexDomain()), reach_(node.interpolation == Interpolation::Cubic ? 1.002 : 0.002) {
     const ValueBricks& bricks = node.volume->bricks(node.channel);
     count_ = bricks.count;
     const Index3 corners = count_ + 1;
@@ -40,8 +42,7 @@ VisibleBricks::VisibleBricks(const VolumeTerm& node) : domain_(node.volume->grid
 }
 
 bool VisibleBricks::mayBeVisible(const Box3& box) const {
-    // A point a thousandth of a voxel outside still counts as inside, and is clamped.
-    const Box3 inside = intersect({box.min - 0.002, box.max + 0.002}, domain_);
+    const Box3 inside = intersect({box.min - reach_, box.max + reach_}, domain_);
     if (inside.empty()) return false;
     const auto brick = [](const Vec3& x) { return Index3(glm::floor(x / double(ValueBricks::kSide))); };
     const Index3 first = glm::clamp(brick(inside.min), Index3(0), count_ - 1);
@@ -56,18 +57,10 @@ bool VisibleBricks::mayBeVisible(const Box3& box) const {
     return layer(end.z) != layer(first.z);
 }
 
-bool mayBeVisible(const Term& term, const Box3& box) {
-    if (intersect(term.bounds, box).empty()) return false;
-    if (const auto* transfer = std::get_if<TransferTerm>(&term.node))
-        return transfer->by->anySourceBox(box, [&](const Box3& source) { return mayBeVisible(*transfer->of, source); });
-    const auto& volume = std::get<VolumeTerm>(term.node);
-    return term.cache->visibleBricks(volume).mayBeVisible(movedBox(box, volume.volume->indexFromWorld()));
-}
-
 EmptySpace::EmptySpace(const Term& term) : bounds_(term.bounds) {
     const Vec3 extent = bounds_.size();
     cellSize_ = std::max({extent.x, extent.y, extent.z}) / kFinestCells;
-    if (bounds_.empty() || !(cellSize_ > 0)) return;
+    if (bounds_.empty() || !(cellSize_ > 0) || !std::isfinite(cellSize_)) return;
     Index3 size = Index3(glm::floor(extent / cellSize_)) + 1;
     for (int level = 0; level < kLevels; ++level, size = (size + 3) / 4)
         levels_.push_back(

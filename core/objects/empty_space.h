@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/objects/term.h"
+#include "core/objects/term_bounds.h"
 
 namespace voledit {
 
@@ -18,11 +18,9 @@ public:
 private:
     Index3 count_;
     Box3 domain_;
+    double reach_;                     // how far samples count beyond a box, voxels
     std::vector<std::uint32_t> sums_;  // (count + 1)³: visible bricks before each corner
 };
-
-/// False only if `term` has opacity 0 at every point of `box`. A bound: boxes are pushed through the maps as boxes.
-bool mayBeVisible(const Term& term, const Box3& box);
 
 /// Nested grids over a term's bounds, of cells that are certainly empty.
 class EmptySpace {

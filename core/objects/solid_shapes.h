@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "core/expression/formula.h"
 #include "core/fields/scalar_field.h"
 
 namespace voledit {

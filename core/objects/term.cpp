@@ -2,137 +2,113 @@
 
 #include <algorithm>
 #include <cassert>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <vector>
 
-#include "core/objects/combine.h"
+#include "core/objects/evaluation.h"
 #include "core/objects/term_cache.h"
-#include "core/stf/mapped_cells.h"
+#include "core/stf/mesh_field.h"
 
 namespace voledit {
 
 namespace {
 
-constexpr std::size_t kBlock = 1024;  // points evaluated together: what a level keeps stays in the cache
-
-void evaluate(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient);
-
-/// Gradients of the points of `wanted` (indices into q), in their order.
-std::vector<Vec3> gradientsAt(const VolumeTerm& node, std::span<const Vec3> q, std::span<const std::uint32_t> wanted) {
-    std::vector<Vec3> at, gradient(wanted.size());
-    at.reserve(wanted.size());
-    for (const std::uint32_t i : wanted) at.push_back(q[i]);
-    node.volume->gradient(at, gradient, node.channel);
-    return gradient;
+TermPtr made(decltype(Term::node) node, const Box3& bounds) {
+    return std::make_shared<const Term>(Term{std::move(node), bounds, std::make_shared<const TermCache>()});
 }
 
-void evaluateVolume(const VolumeTerm& node, std::span<const Vec3> q, std::span<ObjectSample> sample,
-                    bool withGradient) {
-    std::vector<double> value(q.size());
-    std::vector<std::uint32_t> visible;
-    node.volume->sample(q, value, node.channel);
-    for (std::size_t i = 0; i < q.size(); ++i) {
-        sample[i] = ObjectSample{.value = value[i]};
-        if (value[i] != value[i]) continue;
-        sample[i].opacity = std::clamp(node.appearance.opacity(value[i]), 0.0, 1.0);
-        if (sample[i].opacity > 0) visible.push_back(std::uint32_t(i));
+Box3 boundsOf(const CvgTerm& node) {
+    Box3 bounds = node.of.front()->bounds;
+    for (const TermPtr& of : std::span(node.of).subspan(1)) {
+        if (node.by == CvgOperator::Intersection)
+            bounds = intersect(bounds, of->bounds);
+        else if (node.by == CvgOperator::Union || node.by == CvgOperator::Merge || node.by == CvgOperator::Blend)
+            bounds = join(bounds, of->bounds);
     }
-    const bool steepnessCounts = !node.appearance.gradientOpacity.points.empty();
-    const auto gradient = withGradient || steepnessCounts ? gradientsAt(node, q, visible) : std::vector<Vec3>{};
-    for (std::size_t n = 0; n < visible.size(); ++n) {
-        ObjectSample& s = sample[visible[n]];
-        s.color = node.appearance.color(s.value);
-        if (withGradient) s.normalGradient = gradient[n];
-        if (steepnessCounts)
-            s.opacity = std::clamp(s.opacity * node.appearance.gradientOpacity(glm::length(gradient[n])), 0.0, 1.0);
-    }
-}
-
-/// Several pre-images for a point: all of them are evaluated, then combined.
-void evaluateFolded(const TransferTerm& node, std::span<const Vec3> p, std::span<ObjectSample> sample,
-                    bool withGradient) {
-    const MappedCells& cells = *node.by->cells();
-    std::vector<CellLocation> found;
-    std::vector<std::size_t> ends;
-    std::vector<Vec3> q;
-    std::vector<Mat3> jacobian;
-    for (const Vec3& point : p) {
-        found.clear();
-        cells.locateAll(point, found);
-        for (const CellLocation& at : found) {
-            q.push_back(cells.sourceAt(at));
-            if (withGradient) jacobian.push_back(cells.jacobianAt(at));
-        }
-        if (found.empty() && node.by->outside() == Outside::Keep) {
-            q.push_back(point);
-            if (withGradient) jacobian.push_back(Mat3(1.0));
-        }
-        ends.push_back(q.size());
-    }
-    std::vector<ObjectSample> all(q.size());
-    for (std::size_t start = 0; start < q.size(); start += kBlock) {
-        const std::size_t count = std::min(kBlock, q.size() - start);
-        evaluate(*node.of, std::span(q).subspan(start, count), std::span(all).subspan(start, count), withGradient);
-    }
-    for (std::size_t n = 0; n < all.size() && withGradient; ++n)
-        all[n].normalGradient = glm::transpose(jacobian[n]) * all[n].normalGradient;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        sample[i] = combined(std::span(all).subspan(begin, ends[i] - begin), node.combine);
-        begin = ends[i];
-    }
-}
-
-void evaluateTransfer(const TransferTerm& node, std::span<const Vec3> p, std::span<ObjectSample> sample,
-                      bool withGradient) {
-    if (node.by->cells() && node.by->cells()->mayOverlap()) return evaluateFolded(node, p, sample, withGradient);
-    std::vector<Vec3> q(p.size());
-    node.by->map(p, q);
-    evaluate(*node.of, q, sample, withGradient);
-    if (!withGradient) return;
-    std::vector<std::uint32_t> lit;
-    std::vector<Vec3> at;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        if (sample[i].normalGradient != Vec3(0)) {
-            lit.push_back(std::uint32_t(i));
-            at.push_back(p[i]);
-        }
-    std::vector<Mat3> jacobian(at.size());
-    node.by->jacobian(at, jacobian);
-    for (std::size_t n = 0; n < lit.size(); ++n)
-        sample[lit[n]].normalGradient = glm::transpose(jacobian[n]) * sample[lit[n]].normalGradient;
-}
-
-void evaluate(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient) {
-    if (const auto* volume = std::get_if<VolumeTerm>(&term.node))
-        evaluateVolume(*volume, p, sample, withGradient);
-    else
-        evaluateTransfer(std::get<TransferTerm>(term.node), p, sample, withGradient);  // other kinds follow
+    return bounds;
 }
 
 }  // namespace
 
-void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient) {
+std::optional<double> ownAttribute(const std::string& name, const ObjectSample& s) {
+    if (name == "opacity") return s.opacity;
+    if (name == "r") return s.color.r;
+    if (name == "g") return s.color.g;
+    if (name == "b") return s.color.b;
+    return std::nullopt;
+}
+
+void evaluate(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, const Asked& asked) {
+    struct Evaluate {
+        std::span<const Vec3> p;
+        std::span<ObjectSample> sample;
+        const Asked& asked;
+        void operator()(const VolumeTerm& node) const { evaluateVolume(node, p, sample, asked); }
+        void operator()(const TransferTerm& node) const { evaluateTransfer(node, p, sample, asked); }
+        void operator()(const MeshTerm& node) const { evaluateMesh(node, p, sample, asked); }
+        void operator()(const SolidTerm& node) const { evaluateSolid(node, p, sample, asked); }
+        void operator()(const FieldsTerm& node) const { evaluateFields(node, p, sample, asked); }
+        void operator()(const CvgTerm& node) const { evaluateCvg(node, p, sample, asked); }
+        void operator()(const RecolorTerm& node) const { evaluateRecolor(node, p, sample, asked); }
+    };
+    std::visit(Evaluate{p, sample, asked}, term.node);
+}
+
+void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient,
+            const std::string& attribute) {
     assert(p.size() == sample.size());
+    const bool own = ownAttribute(attribute, {}).has_value();
+    const Asked asked{withGradient, own && attribute != "opacity", own || attribute.empty() ? nullptr : &attribute};
     for (std::size_t start = 0; start < p.size(); start += kBlock) {
         const std::size_t count = std::min(kBlock, p.size() - start);
-        evaluate(term, p.subspan(start, count), sample.subspan(start, count), withGradient);
+        evaluate(term, p.subspan(start, count), sample.subspan(start, count), asked);
     }
+    if (own)
+        for (std::size_t i = 0; i < p.size(); ++i)
+            sample[i].value = isDefined(p[i]) ? *ownAttribute(attribute, sample[i]) : kNaN;
+}
+
+void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> out, bool withGradient) {
+    static const std::string kScalar = "scalar";
+    sample(term, p, out, withGradient, kScalar);
 }
 
 TermPtr makeVolumeTerm(std::shared_ptr<const Volume> volume, int channel, TransferFunction appearance,
                        Interpolation interpolation) {
     const Box3 bounds = boundsOf(volume->grid().worldFrame());
-    return std::make_shared<const Term>(
-        Term{VolumeTerm{std::move(volume), channel, std::move(appearance), interpolation}, bounds,
-             std::make_shared<const TermCache>()});
+    return made(VolumeTerm{std::move(volume), channel, std::move(appearance), interpolation}, bounds);
+}
+
+TermPtr makeMeshTerm(std::shared_ptr<const MeshField> field, TransferFunction appearance) {
+    const Box3 bounds = field->domain();
+    return made(MeshTerm{std::move(field), std::move(appearance)}, bounds);
+}
+
+TermPtr makeSolidTerm(SolidTerm solid) {
+    assert(solid.opacity.outputCount() == 1 && solid.opacity.variableCount() == 5 && solid.falloff >= 0);
+    const Box3 bounds{solid.shape.min - solid.falloff, solid.shape.max + solid.falloff};
+    return made(std::move(solid), bounds);
+}
+
+TermPtr makeFieldsTerm(FieldsTerm fields) {
+    const Box3 bounds = fields.box;
+    return made(std::move(fields), bounds);
+}
+
+TermPtr makeCvgTerm(CvgOperator by, std::vector<TermPtr> of, FieldPtr weight) {
+    assert(of.size() >= 2 && (by == CvgOperator::Blend) == (weight != nullptr));
+    assert(by != CvgOperator::Blend || of.size() == 2);
+    CvgTerm node{by, std::move(of), std::move(weight)};
+    const Box3 bounds = boundsOf(node);
+    return made(std::move(node), bounds);
+}
+
+TermPtr makeRecolorTerm(RecolorTerm recolor) {
+    const Box3 bounds = recolor.of->bounds;
+    return made(std::move(recolor), bounds);
 }
 
 TermPtr makeTransferTerm(TransferPtr by, TermPtr of, Combine combine, std::string name, TransferRole role) {
     const Box3 bounds = by->imageOf(of->bounds);
-    return std::make_shared<const Term>(Term{TransferTerm{std::move(by), std::move(of), combine, std::move(name), role},
-                                             bounds, std::make_shared<const TermCache>()});
+    return made(TransferTerm{std::move(by), std::move(of), combine, std::move(name), role}, bounds);
 }
 
 }  // namespace voledit

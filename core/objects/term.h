@@ -120,7 +120,8 @@ struct ObjectSample {
 /// only where `withGradient` and opacity > 0. Sizes must be equal. May be called from many threads.
 void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient);
 /// The same, with `value` the attribute `attribute`: "scalar" (the default above), "opacity", "r", "g", "b", or a name
-/// that `fields` objects give.
+/// that `fields` objects give. Asked for r, g or b, colour is given where opacity is 0, too (black where nothing is);
+/// else it may be anything there. "": none is asked for, `value` may be anything, which is the fastest.
 void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> sample, bool withGradient,
             const std::string& attribute);
 
