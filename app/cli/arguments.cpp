@@ -78,7 +78,7 @@ VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const Commo
 CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, double time, double aspect) {
     const Timeline& timeline = opened.scene.timeline;
     try {
-        return compile(opened.scene, opened.volumes, std::isnan(time) ? timeline.start / timeline.fps : time, nullptr,
+        return compile(opened.scene, opened.assets, std::isnan(time) ? timeline.start / timeline.fps : time, nullptr,
                        aspect);
     } catch (const Error& error) {
         throw Error(input.file + ": " + error.what());

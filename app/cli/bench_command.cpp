@@ -37,14 +37,14 @@ Json summary(std::vector<double> times) {
 Json benchEdits(Drawing& drawing, const OpenedScene& opened, Index2 size, int repeats) {
     Scene scene = opened.scene;
     const double aspect = double(size.x) / size.y;
-    CompiledScene compiled = compile(scene, opened.volumes, 0, nullptr, aspect);
+    CompiledScene compiled = compile(scene, opened.assets, 0, nullptr, aspect);
     scene.camera = compiled.camera;
     drawing.draw(compiled, size, nullptr);
     std::vector<double> total, compiling, drawn;
     for (int i = 0; i <= repeats; ++i) {
         const double c = millisecondsOf([&] {
             nudgeOutermost(scene, compiled.unitStep * (i % 2 ? -1 : 2));
-            compiled = compile(scene, opened.volumes, 0, &compiled, aspect);
+            compiled = compile(scene, opened.assets, 0, &compiled, aspect);
         });
         const double d = millisecondsOf([&] { drawing.draw(compiled, size, nullptr); });
         if (i == 0) continue;  // the first one warms caches

@@ -47,8 +47,8 @@ Json describe(const OpenedScene& opened, const InputArguments& input) {
     json["assets"] = Json::object();
     for (const auto& [name, asset] : scene.assets) {
         json["assets"][name] = {{"path", asset.path}};
-        const auto volume = opened.volumes.find(name);
-        if (volume == opened.volumes.end()) continue;
+        const auto volume = opened.assets.volumes.find(name);
+        if (volume == opened.assets.volumes.end()) continue;
         const VolumeGrid& grid = volume->second->grid();
         json["assets"][name]["size"] = {grid.size.x, grid.size.y, grid.size.z};
         json["assets"][name]["component"] = nameOf(volume->second->type());

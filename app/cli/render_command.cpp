@@ -48,7 +48,7 @@ std::vector<double> timeEdits(Drawing& drawing, const OpenedScene& opened, Compi
     for (int i = 0; i < count; ++i)
         times.push_back(millisecondsOf([&] {
             nudgeOutermost(scene, compiled.unitStep * (i % 2 ? -1 : 2));
-            compiled = compile(scene, opened.volumes, compiled.time, &compiled, aspect);
+            compiled = compile(scene, opened.assets, compiled.time, &compiled, aspect);
             drawing.draw(compiled, size, nullptr);
         }));
     return times;

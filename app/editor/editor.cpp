@@ -291,7 +291,7 @@ void Editor::compileScene() {
     compiledFrom_ = scene;
     const double aspect = double(workspace_.viewSize.x) / workspace_.viewSize.y;
     try {
-        workspace_.compiled = compile(scene, workspace_.volumes, workspace_.time, &workspace_.compiled, aspect);
+        workspace_.compiled = compile(scene, workspace_.assets, workspace_.time, &workspace_.compiled, aspect);
         compileProblem_.clear();
     } catch (const Error& error) {
         // The picture stays the last good one.

@@ -34,7 +34,7 @@ RendererChoice rendererNamed(const std::string& name) {
 // Asset names of the scene's volumes that a volume object shows.
 std::vector<std::string> shownVolumes(const Workspace& workspace) {
     std::vector<std::string> names;
-    for (const auto& [name, volume] : workspace.volumes)
+    for (const auto& [name, volume] : workspace.assets.volumes)
         if (findAppearance(workspace.document.scene(), name)) names.push_back(name);
     return names;
 }

@@ -207,12 +207,13 @@ void Editor::drawPanels() {
 }
 
 std::string Editor::volumeLine() const {
-    if (!workspace_.open || workspace_.volumes.empty()) return {};
-    const auto& [name, volume] = *workspace_.volumes.begin();
+    if (!workspace_.open || workspace_.assets.volumes.empty()) return {};
+    const auto& [name, volume] = *workspace_.assets.volumes.begin();
     const Index3 size = volume->grid().size;
     std::string text = name + "   " + std::to_string(size.x) + " × " + std::to_string(size.y) + " × " +
                        std::to_string(size.z) + " " + std::string(nameOf(volume->type()));
-    if (workspace_.volumes.size() > 1) text += "   and " + std::to_string(workspace_.volumes.size() - 1) + " more";
+    if (workspace_.assets.volumes.size() > 1)
+        text += "   and " + std::to_string(workspace_.assets.volumes.size() - 1) + " more";
     return text;
 }
 

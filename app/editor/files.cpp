@@ -164,10 +164,10 @@ void Files::takeOver(Loader::Result result) {
     OpenedScene& opened = *result.opened;
     const double time = opened.scene.timeline.start / opened.scene.timeline.fps;
     // Compiled before anything is replaced: a scene that does not compile leaves the work as it was.
-    CompiledScene compiled = compile(opened.scene, opened.volumes, time, nullptr, aspectOf(workspace_));
+    CompiledScene compiled = compile(opened.scene, opened.assets, time, nullptr, aspectOf(workspace_));
     workspace_.open = true;
     workspace_.document = Document(std::move(opened.scene), opened.path);
-    workspace_.volumes = std::move(opened.volumes);
+    workspace_.assets = std::move(opened.assets);
     workspace_.folder = opened.folder;
     workspace_.selection = {};
     workspace_.camera = compiled.camera;
@@ -182,7 +182,7 @@ void Files::writeScene(const fs::path& path) {
     if (!isSceneFile(path)) throw Error(path.string(), "a scene is not saved under this ending", "name it *.voledit");
     Scene scene = workspace_.document.committed();
     setCamera(scene, workspace_.camera);
-    saveScene(withDefaultsWrittenOut(scene, workspace_.volumes), path, workspace_.folder);
+    saveScene(withDefaultsWrittenOut(scene, workspace_.assets), path, workspace_.folder);
     workspace_.document.markSaved(path);
     workspace_.notify(Notice::Kind::Info, "Saved " + path.string());
     warnOfOutsideFiles(path);

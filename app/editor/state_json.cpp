@@ -16,7 +16,7 @@ Json sceneState(const Workspace& workspace) {
     if (!workspace.open) return nullptr;
     Scene scene = workspace.document.scene();
     setCamera(scene, workspace.camera);
-    return Json::parse(sceneToJson(withDefaultsWrittenOut(scene, workspace.volumes)));
+    return Json::parse(sceneToJson(withDefaultsWrittenOut(scene, workspace.assets)));
 }
 
 Json selectionState(const Workspace& workspace) {

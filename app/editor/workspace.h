@@ -27,9 +27,9 @@ enum class RendererChoice : unsigned char { Auto, Slices, Rays };
 /// Plain data, owned by the editor; panels and tools take it by reference. What changed is found by comparing values.
 struct Workspace {
     // What is edited.
-    bool open = false;  // false until something was opened: document and volumes are then empty
+    bool open = false;  // false until something was opened: document and assets are then empty
     Document document{Scene{}};
-    LoadedVolumes volumes;
+    LoadedAssets assets;
     std::filesystem::path folder;  // asset paths of the document are relative to it
     Selection selection;
 

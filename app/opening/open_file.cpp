@@ -12,26 +12,44 @@ bool isSceneFile(const fs::path& path) {
     return path.extension() == ".voledit" || path.extension() == ".json";
 }
 
-LoadedVolumes readVolumes(IoClient& io, const Scene& scene, const fs::path& folder, const OpenOptions& options,
-                          std::vector<std::string>& warnings, Progress* progress) {
-    LoadedVolumes volumes;
-    std::map<std::string, std::shared_ptr<const Volume>> byPath;
+namespace {
+
+/// What a file of kind volume holds: one of the two.
+struct VolumeOrMesh {
+    std::shared_ptr<const Volume> volume;
+    std::shared_ptr<const Mesh> mesh;
+};
+
+VolumeOrMesh readVolumeOrMesh(IoClient& io, const fs::path& path, const OpenOptions& options,
+                              std::vector<std::string>& warnings, Progress* progress) {
+    auto file = io.readVolumeOrMesh(path, options.read, progress);
+    std::visit([&](auto& any) { warnings.insert(warnings.end(), any.warnings.begin(), any.warnings.end()); }, file);
+    if (auto* mesh = std::get_if<MeshFile>(&file))
+        return {nullptr, std::make_shared<const Mesh>(std::move(mesh->mesh))};
+    return {std::get<VolumeFile>(file).volume, nullptr};
+}
+
+}  // namespace
+
+LoadedAssets readAssets(IoClient& io, const Scene& scene, const fs::path& folder, const OpenOptions& options,
+                        std::vector<std::string>& warnings, Progress* progress) {
+    LoadedAssets loaded;
+    std::map<std::string, VolumeOrMesh> byPath;
     for (const auto& [name, asset] : scene.assets) {
         if (asset.kind != AssetKind::Volume) continue;
         const fs::path path = assetPath(asset, folder);
-        auto& volume = byPath[path.string()];
-        if (!volume) {
+        VolumeOrMesh& file = byPath[path.string()];
+        if (!file.volume && !file.mesh) {
             try {
-                VolumeFile file = io.readVolume(path, options.read, progress);
-                volume = file.volume;
-                warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+                file = readVolumeOrMesh(io, path, options, warnings, progress);
             } catch (const Error& error) {
                 throw Error("asset \"" + name + "\" (/assets/" + name + "/path): " + error.what());
             }
         }
-        volumes[name] = volume;
+        if (file.volume) loaded.volumes[name] = file.volume;
+        if (file.mesh) loaded.meshes[name] = file.mesh;
     }
-    return volumes;
+    return loaded;
 }
 
 OpenedScene openFile(IoClient& io, const fs::path& path, const OpenOptions& options, Progress* progress) {
@@ -41,21 +59,21 @@ OpenedScene openFile(IoClient& io, const fs::path& path, const OpenOptions& opti
         opened.folder = fs::absolute(path).parent_path();
         opened.path = path;
         try {
-            opened.volumes = readVolumes(io, opened.scene, opened.folder, options, opened.warnings, progress);
+            opened.assets = readAssets(io, opened.scene, opened.folder, options, opened.warnings, progress);
         } catch (const Error& error) {
             throw Error(path.string() + ": " + error.what());
         }
         return opened;
     }
-    VolumeFile file = io.readVolume(path, options.read, progress);
+    const VolumeOrMesh file = readVolumeOrMesh(io, path, options, opened.warnings, progress);
     const fs::path absolute = fs::absolute(path).lexically_normal();
     const fs::path named = absolute.has_filename() ? absolute : absolute.parent_path();
     std::string name = named.filename().string();
     name = name.substr(0, name.find('.', 1));
     opened.folder = named.parent_path();
-    opened.scene = sceneOfVolume(named.filename().string(), name, suggestedPreset(*file.volume));
-    opened.volumes[name] = file.volume;
-    opened.warnings = std::move(file.warnings);
+    opened.scene = sceneOfVolume(named.filename().string(), name, file.volume ? suggestedPreset(*file.volume) : "");
+    if (file.volume) opened.assets.volumes[name] = file.volume;
+    if (file.mesh) opened.assets.meshes[name] = file.mesh;
     return opened;
 }
 

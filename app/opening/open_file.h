@@ -11,12 +11,12 @@
 
 namespace voledit {
 
-/// A scene with its volumes read.
+/// A scene with its files read.
 struct OpenedScene {
     Scene scene;
-    LoadedVolumes volumes;
+    LoadedAssets assets;
     std::filesystem::path folder;  // what asset paths are relative to
-    std::filesystem::path path;    // the scene file; empty where a volume was opened
+    std::filesystem::path path;    // the scene file; empty where a volume or a mesh was opened
     std::vector<std::string> warnings;
 };
 
@@ -28,12 +28,13 @@ struct OpenOptions {
 /// True if `path` is named as a scene (.voledit, .json).
 bool isSceneFile(const std::filesystem::path& path);
 
-/// Opens a scene, or a volume as a new scene with the appearance that suits it. Throws Error, Cancelled.
+/// Opens a scene, or a volume or mesh as a new scene with the appearance that suits it. Throws Error, Cancelled.
 OpenedScene openFile(IoClient& io, const std::filesystem::path& path, const OpenOptions& options,
                      Progress* progress = nullptr);
 
-/// Reads the volumes of `scene`'s assets, each file once. Appends warnings. Throws Error that names the asset.
-LoadedVolumes readVolumes(IoClient& io, const Scene& scene, const std::filesystem::path& folder,
-                          const OpenOptions& options, std::vector<std::string>& warnings, Progress* progress = nullptr);
+/// Reads the volumes and meshes of `scene`'s assets, each file once. Appends warnings. Throws Error that names the
+/// asset.
+LoadedAssets readAssets(IoClient& io, const Scene& scene, const std::filesystem::path& folder,
+                        const OpenOptions& options, std::vector<std::string>& warnings, Progress* progress = nullptr);
 
 }  // namespace voledit

@@ -217,22 +217,33 @@ void throwIfFailed(const IoReply& reply, IoReply::Kind expected) {
 }  // namespace
 
 VolumeFile IoClient::readVolume(const fs::path& path, const ReadOptions& options, Progress* progress) {
+    auto file = readVolumeOrMesh(path, options, progress);
+    if (std::holds_alternative<MeshFile>(file))
+        throw Error(path.string(), "holds a mesh, where a volume of voxels is needed",
+                    "give a volume, or make one of the mesh: voledit voxelize");
+    return std::get<VolumeFile>(std::move(file));
+}
+
+std::variant<VolumeFile, MeshFile> IoClient::readVolumeOrMesh(const fs::path& path, const ReadOptions& options,
+                                                              Progress* progress) {
     if (path.empty()) throw Error("", "no file is named", "name a volume file or a folder of slices");
     IoRequest request = requestFor(IoTask::ReadVolume, path, path);
     request.raw = options.raw;
     request.spacing = options.spacing;
     request.memoryLimit = options.memoryLimit > 0 ? options.memoryLimit : memoryLimit();
     auto [reply, file] = process_->ask(std::move(request), -1, progress);
+    if (reply.kind == IoReply::Kind::Mesh) {
+        const auto [bytes, owner] = mapSealed(file.get(), std::max<std::size_t>(byteSize(reply.mesh), 1));
+        report(progress, 1);
+        return MeshFile{readMesh(reply.mesh, bytes), reply.format, reply.storedType, std::move(reply.statistics),
+                        std::move(reply.notes)};
+    }
     throwIfFailed(reply, IoReply::Kind::Volume);
     auto [voxels, owner] = mapSealed(file.get(), checkedBytes(reply));
-    VolumeFile result;
-    result.volume =
+    auto volume =
         std::make_shared<const Volume>(reply.grid, reply.type, voxels, std::move(owner), std::move(reply.statistics));
-    result.format = reply.format;
-    result.storedType = reply.storedType;
-    result.warnings = std::move(reply.notes);
     report(progress, 1);
-    return result;
+    return VolumeFile{std::move(volume), reply.format, reply.storedType, std::move(reply.notes)};
 }
 
 void IoClient::writeVolume(const Volume& volume, const fs::path& path, Progress* progress) {

@@ -6,10 +6,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/base/picture.h"
 #include "core/base/progress.h"
+#include "core/fields/mesh_data.h"
 #include "core/fields/volume.h"
 
 namespace voledit {
@@ -44,6 +46,15 @@ struct VolumeFile {
     std::vector<std::string> warnings;  // what was repaired or cut, one line each
 };
 
+/// A tetrahedral mesh or a curvilinear grid with values at its points.
+struct MeshFile {
+    MeshData mesh;
+    std::string format;           // "vtk"
+    std::string storedType;       // number type of the values in the file
+    VolumeStatistics statistics;  // of channel 0 at the points
+    std::vector<std::string> warnings;
+};
+
 /// How long the parser may work without any progress before it counts as hung. Both grow with the file (a second for
 /// every 20 MB). Processor time is what tells: a slow disk or a busy machine is not the parser's fault.
 struct IoPatience {
@@ -63,9 +74,13 @@ public:
 
     /// Reads a volume: any format of scene-format.md §3, by content first, by name where that says nothing. `path` may
     /// be a file, a folder (DICOM series, picture stack) or a numbered pattern ("slice_%03d.png", "slice_*.png"). The
-    /// voxels stay in the memory that the parser filled. Throws Error (file, cause, remedy), Cancelled.
+    /// voxels stay in the memory that the parser filled. Throws Error (file, cause, remedy; also where the file holds a
+    /// mesh), Cancelled.
     VolumeFile readVolume(const std::filesystem::path& path, const ReadOptions& options = {},
                           Progress* progress = nullptr);
+    /// The same for files that may hold a mesh instead: legacy VTK files.
+    std::variant<VolumeFile, MeshFile> readVolumeOrMesh(const std::filesystem::path& path,
+                                                        const ReadOptions& options = {}, Progress* progress = nullptr);
 
     /// Writes NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha) or VDB (.vdb, float) by ending; beside
     /// `path`, then renamed. Throws Error, Cancelled.

@@ -124,6 +124,7 @@ void describeReply(Archive& archive, Reply& r) {
     archive(r.statistics.max);
     archive(r.statistics.mean);
     archive(r.statistics.histogram);
+    archive(r.mesh);
     archive(r.notes);
     archive(r.pictureSize);
 }

@@ -11,6 +11,7 @@
 
 #include "core/fields/volume.h"
 #include "core/io/io_client.h"
+#include "core/io/mesh_bytes.h"
 
 namespace voledit {
 
@@ -29,9 +30,9 @@ struct IoRequest {
     Index2 pictureSize{0};  // writing a picture
 };
 
-/// Parser to client: any number of Progress, then one of the others. Volume and Picture carry a memory file.
+/// Parser to client: any number of Progress, then one of the others. Volume, Mesh and Picture carry a memory file.
 struct IoReply {
-    enum class Kind : std::uint8_t { Progress, Failed, Volume, Picture, Written };
+    enum class Kind : std::uint8_t { Progress, Failed, Volume, Mesh, Picture, Written };
 
     Kind kind = Kind::Progress;
     double fraction = 0;
@@ -40,7 +41,8 @@ struct IoReply {
     VolumeGrid grid;
     VoxelType type = VoxelType::UInt8;
     VolumeStatistics statistics;
-    std::vector<std::string> notes;  // Volume: warnings; Written: names of the files made, the header last
+    MeshCounts mesh;
+    std::vector<std::string> notes;  // Volume, Mesh: warnings; Written: names of the files made, the header last
     Index2 pictureSize{0};
 };
 

@@ -17,7 +17,7 @@ namespace {
 /// Names of the assets that are loaded and shown by a volume object.
 std::vector<std::string> shownAssets(const Workspace& workspace) {
     std::vector<std::string> names;
-    for (const auto& [name, volume] : workspace.volumes)
+    for (const auto& [name, volume] : workspace.assets.volumes)
         if (volume && findAppearance(workspace.document.scene(), name)) names.push_back(name);
     return names;
 }
@@ -79,7 +79,7 @@ void presetCombo(Workspace& workspace, const std::string& asset) {
     ui::row("Preset");
     const bool open = ui::beginCombo("Preset", title);
     if (!open) {
-        swatchInItem(resolve(now, *workspace.volumes.at(asset)), 1.6f);
+        swatchInItem(resolve(now, *workspace.assets.volumes.at(asset)), 1.6f);
         ui::tooltip("How values become colour and opacity");
         return;
     }
@@ -128,7 +128,7 @@ void AppearancePanel::draw(Workspace& workspace) {
     asset_ = assets[std::size_t(index)];
 
     presetCombo(workspace, asset_);
-    const Volume& volume = *workspace.volumes.at(asset_);
+    const Volume& volume = *workspace.assets.volumes.at(asset_);
     const Document& document = workspace.document;
     const TransferPlot::Result result =
         plot_.draw(resolve(*findAppearance(document.scene(), asset_), volume),

@@ -36,9 +36,9 @@ void drawAsset(const Workspace& workspace, const std::string& name) {
     ImGui::TextUnformatted((std::string(icons::kVolume) + " " + name).c_str());
     ImGui::PopFont();
     noteWidget(name);
-    const auto found = workspace.volumes.find(name);
+    const auto found = workspace.assets.volumes.find(name);
     ui::tooltip(workspace.document.scene().assets.at(name).path);
-    if (found == workspace.volumes.end() || !found->second) return ui::note("not loaded");
+    if (found == workspace.assets.volumes.end() || !found->second) return ui::note("not loaded");
     ImGui::PushFont(font(FontRole::Small));
     ui::note(describe(*found->second));
     ImGui::PopFont();

@@ -274,9 +274,9 @@ void Window::updateTitle(const Workspace& workspace) {
     std::string title = "voledit";
     if (workspace.open) {
         const auto& path = workspace.document.path();
-        const std::string name = !path.empty()               ? path.filename().string()
-                                 : workspace.volumes.empty() ? "untitled"
-                                                             : workspace.volumes.begin()->first;
+        const std::string name = !path.empty()                      ? path.filename().string()
+                                 : workspace.assets.volumes.empty() ? "untitled"
+                                                                    : workspace.assets.volumes.begin()->first;
         title = name + (workspace.document.modified() ? "* - voledit" : " - voledit");
     }
     if (title != title_) glfwSetWindowTitle(window_, title.c_str());

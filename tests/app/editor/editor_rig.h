@@ -34,15 +34,15 @@ inline Scene smallScene(bool withLattice) {
 inline void openIn(Workspace& workspace, const Scene& scene) {
     workspace.open = true;
     workspace.document = Document(scene);
-    workspace.volumes = {{"small", smallVolume()}};
+    workspace.assets.volumes = {{"small", smallVolume()}};
     workspace.camera = {{70, -380, 120}, {0, 0, 0}, {0, 0, 1}, 30};
     workspace.viewSize = {800, 600};
-    workspace.compiled = compile(scene, workspace.volumes, 0, nullptr);
+    workspace.compiled = compile(scene, workspace.assets, 0, nullptr);
 }
 
 /// As the editor does once a frame.
 inline void recompile(Workspace& workspace) {
-    workspace.compiled = compile(workspace.document.scene(), workspace.volumes, 0, &workspace.compiled);
+    workspace.compiled = compile(workspace.document.scene(), workspace.assets, 0, &workspace.compiled);
 }
 
 inline Vec3 pointOf(const Workspace& workspace, const Index3& at) {

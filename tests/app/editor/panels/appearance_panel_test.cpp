@@ -19,7 +19,7 @@ protected:
     AppearancePanelTest() { test::openIn(workspace, test::smallScene(false)); }
 
     TransferFunction tables() const {
-        return resolve(*findAppearance(workspace.document.scene(), "small"), *workspace.volumes.at("small"));
+        return resolve(*findAppearance(workspace.document.scene(), "small"), *workspace.assets.volumes.at("small"));
     }
     Document& document() { return workspace.document; }
     /// A place in the plot by its share of width and height.
