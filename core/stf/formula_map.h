@@ -20,6 +20,8 @@ public:
         Outside outside = Outside::Hide;  // Keep: the identity where the formula says undefined
         /// The image of a box, world units; empty function: the box itself.
         std::function<Box3(const Box3& rest)> image;
+        /// formula.withDerivatives of slots 0, 1, 2, where it is known already.
+        std::optional<FormulaGraph> withDerivatives = std::nullopt;
     };
     explicit FormulaMap(Parts parts);
 
@@ -34,7 +36,7 @@ public:
     void map(std::span<const Vec3> p, std::span<Vec3> q) const override;
     void jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const override;
     Box3 imageOf(const Box3& rest) const override;
-    /// By interval arithmetic, the box split where that is loose.
+    /// By interval arithmetic, the box split where that is loose, into at most 8.
     bool anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const override;
     Outside outside() const override { return parts_.outside; }
     void accept(TransferVisitor& visitor) const override { visitor.visit(*this); }
@@ -42,6 +44,7 @@ public:
 private:
     Parts parts_;
     FormulaGraph withDerivatives_;
+    bool aroundIdentity_;  // both matrices are the identity: coordinates go through untouched, to the bit
 };
 
 }  // namespace voledit

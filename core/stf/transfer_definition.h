@@ -29,16 +29,27 @@ struct TransferParameter {
     enum class Kind : std::uint8_t { Number, Pair, Vector, Line, Axis, Axes };
     std::string name;
     Kind kind = Kind::Number;
-    std::string unit;                         // "" (normalised or a ratio), "degrees", "length" (world units)
+    std::string unit;  // "" (normalised or a ratio), "degrees", "length" (world units), "position" (world coordinates)
     std::string description;                  // one line
     std::optional<TransferArgument> initial;  // what a missing member means; nullopt: required
-    TransferArgument suggested;               // what the editor starts with (`initial`, where there is one)
-    /// Allowed values of each number, and the range of the editor's slider within it.
+    /// What the editor starts with. Where it is not `initial`, lengths are in sides of the operand's box and positions in
+    /// its normalised coordinates: see suggestedFor.
+    TransferArgument suggested;
+    bool uniform = false;  // a vector for which one number may stand, meaning three equal ones
+    /// Allowed values of each number, and the range of the editor's slider within it; see sliderFor.
     Interval allowed;
     Interval slider{0, 1};
     bool strength = false;  // `amount` multiplies it (definitions.md §3.1); several may be
     double identity = 0;    // what the strength is at amount 0: value = identity + amount · (value − identity)
 };
+
+/// What the editor starts with, for an operand within `box`: `suggested`, in world units.
+TransferArgument suggestedFor(const TransferParameter& parameter, const Box3& box);
+/// The slider's range for an operand within `box`, in the units of files (degrees, world units).
+Interval sliderFor(const TransferParameter& parameter, const Box3& box);
+
+/// "at least 0 and below 1", "any number".
+std::string allowedInWords(const Interval& allowed);
 
 /// A formula file, read and checked. Immutable.
 class TransferDefinition {
