@@ -12,6 +12,7 @@
 #include "app/cli/arguments.h"
 #include "core/base/error.h"
 #include "core/eval/ray_caster.h"
+#include "core/scene/scene_children.h"
 #include "render/context.h"
 #include "render/slice_renderer.h"
 
@@ -105,14 +106,28 @@ void nudgeOutermost(Scene& scene, double length) {
     if (auto* ffd = std::get_if<FfdTransfer>(&transfer->kind)) {
         const std::size_t last =
             std::size_t(ffd->points.x) * std::size_t(ffd->points.y) * std::size_t(ffd->points.z) - 1;
-        ffd->moves[last].vector.x += length;
-    } else {
-        auto& placement = std::get<AffineTransfer>(transfer->kind).placement;
-        if (placement.matrix)
-            (*placement.matrix)[3].x += length;
-        else
-            placement.translate.x += length;
+        auto& vector = ffd->moves[last].vector;
+        vector = *vector + Vec3(length, 0, 0);
+        return;
     }
+    if (auto* affine = std::get_if<AffineTransfer>(&transfer->kind); affine && affine->placement.matrix) {
+        Mat4 matrix = *affine->placement.matrix;
+        matrix[3].x += length;
+        affine->placement.matrix = matrix;
+        return;
+    }
+    bool first = true;
+    const auto nudge = [&]<class T>(T& value) {
+        if constexpr (!std::is_same_v<T, TrackedFrame>) {
+            auto numbers = numbersOf(*value);
+            if (numbers.empty() || !std::exchange(first, false)) return;
+            numbers[0] += length;
+            auto changed = *value;
+            setNumbers(changed, numbers);
+            value = std::move(changed);
+        }
+    };
+    std::visit([&](auto& kind) { visitTrackedOfKind(kind, nudge); }, transfer->kind);
 }
 
 double millisecondsSinceStart() {

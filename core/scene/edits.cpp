@@ -133,8 +133,8 @@ void moveControlPoints(Scene& scene, const std::string& name, const std::vector<
         for (const std::size_t point : points) {
             checkPoint(ffd, name, point);
             auto& move = ffd.moves[point];
-            move.vector += offset;
-            if (!move.absolute && move.vector == Vec3(0)) ffd.moves.erase(point);
+            move.vector = *move.vector + offset;
+            if (!move.absolute && *move.vector == Vec3(0)) ffd.moves.erase(point);
         }
     });
 }

@@ -135,7 +135,7 @@ void setLatticeShape(Scene& scene, const std::string& name, LatticeBasis basis, 
         const auto rest = restControlPoints(ffd->basis, ffd->points, own);
         std::vector<Vec3> displacement(rest.size(), Vec3(0));
         for (const auto& [point, move] : ffd->moves)
-            displacement.at(point) = move.absolute ? move.vector - rest[point] : move.vector;
+            displacement.at(point) = move.absolute ? *move.vector - rest[point] : *move.vector;
         Index3 size = ffd->points;
         double largest = 0;
         for (const Vec3& d : displacement) largest = std::max({largest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});

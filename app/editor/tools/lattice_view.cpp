@@ -42,7 +42,7 @@ Mat4 forwardOf(const Transfer& transfer, const AffineTransfer& affine) {
     const Mat4 forward = worldFromRest(affine.placement);
     if (transfer.amount == 1) return forward;
     const Mat4 identity{1.0};
-    return glm::inverse(identity + transfer.amount * (glm::inverse(forward) - identity));
+    return glm::inverse(identity + *transfer.amount * (glm::inverse(forward) - identity));
 }
 
 bool acts(const Transfer& transfer) {

@@ -99,7 +99,7 @@ TEST(SceneFromJson, ReadsEveryFormOfWhatIsBuilt) {
     EXPECT_EQ(by[2]->outside, Outside::Keep);
     EXPECT_EQ(by[2]->frame, frameOf({{0, 0, 0}, {1, 2, 3}}));
     EXPECT_EQ(std::get<FfdTransfer>(by[3]->kind).moves.at(7), (FfdTransfer::Move{{1, 1, 2}, true}));
-    EXPECT_EQ(by[3]->frame->edge[1], Vec3(1, 2, 0));
+    EXPECT_EQ((**by[3]->frame).edge[1], Vec3(1, 2, 0));
 }
 
 // ---- Bad scenes ---------------------------------------------------------------------------------------------------
@@ -385,7 +385,8 @@ private:
                 if (mayUse) return Object{ObjectUse{"o"}};
                 [[fallthrough]];
             default:
-                return Object{VolumeObject{"a \"é\" /~", int(random_() % 3), appearance()}};
+                return Object{
+                    VolumeObject{"a \"é\" /~", int(random_() % 3), Interpolation(random_() % 3), appearance()}};
         }
     }
 

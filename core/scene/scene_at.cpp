@@ -1,0 +1,66 @@
+#include "core/scene/scene_at.h"
+
+#include <algorithm>
+
+#include "core/scene/scene_children.h"
+
+namespace voledit {
+
+namespace {
+
+template <class Node>
+bool hasTracks(const Node& node) {
+    bool any = false;
+    visitTracked(node, [&](const auto& value) { any = any || value.animated(); });
+    return any;
+}
+
+template <class Node>
+bool anyWithin(const SharedValue<Node>& node) {
+    bool any = hasTracks(*node);
+    visitChildren(*node, [&](const ChildStep&, const auto& child) { any = any || anyWithin(child); });
+    return any;
+}
+
+template <class Value>
+void fix(Value& value, double t) {
+    if (value.animated()) value = value.at(t);
+}
+
+template <class Node>
+SharedValue<Node> nodeAt(const SharedValue<Node>& node, double t) {
+    SharedValue<Node> result = withChildren(node, [t](const auto& child) { return nodeAt(child, t); });
+    if (!hasTracks(*node)) return result;
+    visitTracked(result.edit(), [t](auto& value) { fix(value, t); });
+    if constexpr (std::is_same_v<Node, Transfer>) {
+        auto& amount = result.edit().amount;
+        amount = std::clamp(*amount, 0.0, 1.0);
+    }
+    return result;
+}
+
+template <class Map>
+bool anyInMap(const Map& named) {
+    return std::any_of(named.begin(), named.end(), [](const auto& entry) { return anyWithin(entry.second); });
+}
+
+}  // namespace
+
+bool animated(const Scene& scene) {
+    bool any = false;
+    visitTrackedSettings(scene, [&](const auto& value) { any = any || value.animated(); });
+    return any || anyWithin(scene.root) || anyInMap(scene.objects) || anyInMap(scene.transfers) ||
+           anyInMap(scene.displacements);
+}
+
+Scene sceneAt(const Scene& scene, double t) {
+    Scene now = scene;
+    visitTrackedSettings(now, [t](auto& value) { fix(value, t); });
+    now.root = nodeAt(scene.root, t);
+    for (auto& [name, object] : now.objects) object = nodeAt(object, t);
+    for (auto& [name, transfer] : now.transfers) transfer = nodeAt(transfer, t);
+    for (auto& [name, displacement] : now.displacements) displacement = nodeAt(displacement, t);
+    return now;
+}
+
+}  // namespace voledit

@@ -1,0 +1,16 @@
+#pragma once
+// A scene at a time (definitions.md §5).
+
+#include "core/scene/scene.h"
+
+namespace voledit {
+
+/// Whether anything in the scene has tracks. (Formulas over t change over time too, without any.)
+bool animated(const Scene& scene);
+
+/// The scene at t seconds, an ordinary scene without tracks: every tracked value is its value then. Random access.
+/// What has no tracks stays shared with `scene`; one without any is returned as it is. An `amount` that a smooth track
+/// carries beyond 0 … 1 is held there.
+Scene sceneAt(const Scene& scene, double t);
+
+}  // namespace voledit

@@ -1,0 +1,115 @@
+#pragma once
+// Values that may change over time: tracks of keys (scene-format.md §1, Tracks; definitions.md §5).
+
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/types.h"
+#include "core/fields/transfer_function.h"
+
+namespace voledit {
+
+/// Keys over time, held beyond the ends. Two keys of one time make a jump: the first's value holds up to it, the
+/// second's from it on.
+struct Track {
+    enum class Interpolation : std::uint8_t { Step, Linear, Smooth };
+    struct Key {
+        double time = 0;            // seconds
+        std::vector<double> value;  // one number, or all of a list's, lists within lists laid flat
+        bool operator==(const Key&) const = default;
+    };
+    std::vector<Key> keys;  // at least one, times not decreasing, values of one length
+    Interpolation interpolation = Interpolation::Linear;
+
+    bool operator==(const Track&) const = default;
+    /// The value at t seconds, any t. Smooth is Catmull–Rom over the keys' own times: a cubic through both keys whose
+    /// slope at a key is that of the line through its neighbours, at the ends and at jumps that of the one segment.
+    std::vector<double> at(double t) const;
+};
+
+/// The track of a whole value, or of one number or vector in it.
+struct PartTrack {
+    static constexpr int kWhole = -1;
+    /// Index of the first number that it sets, lists within lists laid flat; it sets as many as its keys have. kWhole:
+    /// all of them, and how many there are.
+    int part = kWhole;
+    Track track;
+    bool operator==(const PartTrack&) const = default;
+};
+
+/// The numbers of a value as tracks count them: lists within lists laid flat, matrices row by row.
+std::vector<double> numbersOf(double value);
+std::vector<double> numbersOf(const Vec2& value);
+std::vector<double> numbersOf(const Vec3& value);
+std::vector<double> numbersOf(const Mat4& value);
+std::vector<double> numbersOf(const std::vector<double>& value);
+std::vector<double> numbersOf(const std::vector<Vec3>& value);
+std::vector<double> numbersOf(const PiecewiseLinear& value);
+std::vector<double> numbersOf(const ColorTable& value);
+/// Makes `value` of its numbers: the inverse of `numbersOf`. There must be as many as the type needs.
+void setNumbers(double& value, std::span<const double> numbers);
+void setNumbers(Vec2& value, std::span<const double> numbers);
+void setNumbers(Vec3& value, std::span<const double> numbers);
+void setNumbers(Mat4& value, std::span<const double> numbers);
+void setNumbers(std::vector<double>& value, std::span<const double> numbers);
+void setNumbers(std::vector<Vec3>& value, std::span<const double> numbers);
+void setNumbers(PiecewiseLinear& value, std::span<const double> numbers);
+void setNumbers(ColorTable& value, std::span<const double> numbers);
+
+/// `numbers` with what `tracks` say at t seconds in its place.
+std::vector<double> withTracksAt(std::vector<double> numbers, const std::vector<PartTrack>& tracks, double t);
+
+/// A T that may have tracks. Reads as a T; assigning a T drops its tracks. Copies share the tracks.
+template <class T>
+class Tracked {
+public:
+    Tracked(T value = T{}) : value_(std::move(value)) {}  // NOLINT: implicit, as values are
+    /// T{a, b, …}: for vectors.
+    template <class... A>
+    requires(sizeof...(A) > 1 && std::is_constructible_v<T, A...>) Tracked(A... a)
+        : value_(a...) {}  // NOLINT: implicit, as values are
+
+    /// The value without tracks; with them, that of their first keys. (`at`, or `sceneAt`, gives the value at a time.)
+    const T& operator*() const { return value_; }
+    const T* operator->() const { return &value_; }
+    operator const T&() const { return value_; }  // NOLINT: reads as a T
+
+    bool animated() const { return tracks_ != nullptr; }
+    /// Empty where it does not change over time.
+    const std::vector<PartTrack>& tracks() const {
+        static const std::vector<PartTrack> none;
+        return tracks_ ? *tracks_ : none;
+    }
+    /// One track of the whole, or tracks of parts that do not overlap, in ascending order, within the value.
+    void setTracks(std::vector<PartTrack> tracks) {
+        if (!tracks.empty()) setNumbers(value_, withTracksAt(numbersOf(value_), tracks, -kInfinity));
+        tracks_ = tracks.empty() ? nullptr : std::make_shared<const std::vector<PartTrack>>(std::move(tracks));
+    }
+    /// The value at t seconds.
+    T at(double t) const {
+        if (!tracks_) return value_;
+        T result;
+        setNumbers(result, withTracksAt(numbersOf(value_), *tracks_, t));
+        return result;
+    }
+
+private:
+    T value_;
+    std::shared_ptr<const std::vector<PartTrack>> tracks_;  // null, or not empty
+};
+
+/// By value. (A template, so that a Tracked<double> can still be compared with a number.)
+template <class T>
+bool operator==(const Tracked<T>& a, const Tracked<T>& b) {
+    return *a == *b && (&a.tracks() == &b.tracks() || a.tracks() == b.tracks());
+}
+/// A plain value equals a tracked one without tracks. (Numbers compare as numbers, by their first keys.)
+template <class T>
+requires std::is_class_v<T>
+bool operator==(const Tracked<T>& a, const std::type_identity_t<T>& b) {
+    return !a.animated() && *a == b;
+}
+
+}  // namespace voledit
