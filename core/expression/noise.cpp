@@ -1,0 +1,120 @@
+#include "core/expression/noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/types.h"
+
+namespace voledit {
+
+namespace {
+
+// Rounds of xor-shift and multiply spread the bits of the three lattice coordinates over the whole word.
+std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    std::uint32_t h = x * 0x8da6b343u ^ y * 0xd8163841u ^ z * 0xcb1ab31fu;
+    h ^= h >> 16;
+    h *= 0x7feb352du;
+    h ^= h >> 15;
+    h *= 0x846ca68bu;
+    return h ^ h >> 16;
+}
+
+/// One of the twelve vectors to the middles of a cube's edges; four of them twice.
+std::array<double, 3> gradient(std::uint32_t h) {
+    const std::uint32_t g = h & 15u;
+    const double first = g & 1u ? -1.0 : 1.0, second = g & 2u ? -1.0 : 1.0;
+    if (g < 4u) return {first, second, 0};
+    if (g < 8u) return {first, 0, second};
+    if (g < 12u) return {0, first, second};
+    return g & 2u ? std::array<double, 3>{0, -1.0, first} : std::array<double, 3>{first, 1.0, 0};
+}
+
+/// The weight 6t⁵ − 15t⁴ + 10t³ of a cell's upper end, differentiated `order` times.
+double fade(double t, int order) {
+    switch (order) {
+        case 0:
+            return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+        case 1:
+            return t * t * (t * (t * 30.0 - 60.0) + 30.0);
+        case 2:
+            return t * (t * (t * 120.0 - 180.0) + 60.0);
+        case 3:
+            return t * (t * 360.0 - 360.0) + 60.0;
+        case 4:
+            return t * 720.0 - 360.0;
+        case 5:
+            return 720.0;
+        default:
+            return 0.0;
+    }
+}
+
+/// Weights of a cell's lower and upper end along one axis, differentiated `order` times; zeros for order −1.
+std::array<double, 2> weights(double t, int order) {
+    if (order < 0) return {0, 0};
+    const double upper = fade(t, order);
+    return {order == 0 ? 1.0 - upper : -upper, upper};
+}
+
+std::uint32_t latticeIndex(double x) {
+    return std::abs(x) < 2147483648.0 ? static_cast<std::uint32_t>(static_cast<std::int32_t>(x)) : 0u;
+}
+
+/// Largest |fade| of an order on [0, 1].
+double fadeBound(int order) {
+    constexpr std::array<double, 6> kBounds{1.0, 1.875, 5.7736, 60.0, 360.0, 720.0};
+    return order < 6 ? kBounds[static_cast<std::size_t>(order)] : 0.0;
+}
+
+/// Bound of the sum of the absolute weights of a cell's two ends.
+double weightBound(int order) {
+    if (order < 0) return 0;
+    return order == 0 ? 1.0 : 2.0 * fadeBound(order);
+}
+
+}  // namespace
+
+double noise(double x, double y, double z, const std::array<int, 3>& order) {
+    const std::array<double, 3> point{x, y, z};
+    std::array<double, 3> offset{};
+    std::array<std::uint32_t, 3> cell{};
+    std::array<std::array<double, 2>, 3> weight{}, lowered{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double base = std::floor(point[a]);
+        offset[a] = point[a] - base;
+        cell[a] = latticeIndex(base);
+        weight[a] = weights(offset[a], order[a]);
+        lowered[a] = weights(offset[a], order[a] - 1);
+    }
+    // Each corner adds weight · (gradient · distance). The second factor is linear, so by Leibniz the nth derivative by
+    // one axis is (nth of the weight) · factor + n · (n−1th of the weight) · (gradient's component).
+    double sum = 0;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        const std::array<std::size_t, 3> end{corner & 1u, corner >> 1 & 1u, corner >> 2};
+        const auto g = gradient(hash(cell[0] + corner % 2, cell[1] + corner / 2 % 2, cell[2] + corner / 4));
+        const double wx = weight[0][end[0]], wy = weight[1][end[1]], wz = weight[2][end[2]];
+        const double along = g[0] * (offset[0] - double(end[0])) + g[1] * (offset[1] - double(end[1])) +
+                             g[2] * (offset[2] - double(end[2]));
+        sum += wx * wy * wz * along;
+        if (order[0]) sum += order[0] * lowered[0][end[0]] * wy * wz * g[0];
+        if (order[1]) sum += order[1] * lowered[1][end[1]] * wx * wz * g[1];
+        if (order[2]) sum += order[2] * lowered[2][end[2]] * wx * wy * g[2];
+    }
+    return sum;
+}
+
+double noiseBound(const std::array<int, 3>& order) {
+    // The largest sum of corners' weights times the largest |gradient · distance|, 1.0364 near (½, 0.48, 0.36).
+    if (order == std::array<int, 3>{}) return 1.04;
+    std::array<double, 3> own{}, lowered{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        own[a] = weightBound(order[a]);
+        lowered[a] = order[a] * weightBound(order[a] - 1);
+    }
+    // |gradient · distance| ≤ 2 and |gradient's component| ≤ 1.
+    const double bound = 2.0 * own[0] * own[1] * own[2] + lowered[0] * own[1] * own[2] + own[0] * lowered[1] * own[2] +
+                         own[0] * own[1] * lowered[2];
+    return bound * (1 + 1e-12);
+}
+
+}  // namespace voledit
