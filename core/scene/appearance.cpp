@@ -86,11 +86,14 @@ const Preset& presetNamed(const std::string& name) {
 }
 
 TransferFunction resolve(const Appearance& appearance, const Volume& volume) {
-    const auto& statistics = volume.statistics();
-    TransferFunction tables = greyRamp(statistics.min, statistics.max);
+    return resolve(appearance, Interval{volume.statistics().min, volume.statistics().max});
+}
+
+TransferFunction resolve(const Appearance& appearance, const Interval& range) {
+    TransferFunction tables = greyRamp(range.low, range.high);
     if (!appearance.preset.empty()) {
         const Preset& preset = presetNamed(appearance.preset);
-        tables = preset.relative ? stretched(preset.tables, statistics.min, statistics.max) : preset.tables;
+        tables = preset.relative ? stretched(preset.tables, range.low, range.high) : preset.tables;
     }
     if (appearance.color) tables.color = *appearance.color;
     if (appearance.opacity) tables.opacity = *appearance.opacity;

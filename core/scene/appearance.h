@@ -26,6 +26,8 @@ const Preset& presetNamed(const std::string& name);
 
 /// The tables that `appearance` means for `volume`, in data units.
 TransferFunction resolve(const Appearance& appearance, const Volume& volume);
+/// The same for values within `range`: those of a mesh.
+TransferFunction resolve(const Appearance& appearance, const Interval& range);
 
 /// The preset that suits a volume which comes without one, by its type, range and histogram; "" for the grey ramp.
 std::string suggestedPreset(const Volume& volume);

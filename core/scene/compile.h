@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/objects/term.h"
 #include "core/scene/scene.h"
@@ -29,9 +30,10 @@ struct CompiledScene {
     TermPtr root;
     Camera camera;
     RenderSettings render;
-    double opacityDistance = 1;  // world units
-    double unitStep = 1;         // world length of `render.step` 1: the smallest spacing of the scene's volumes
-    double time = 0;             // seconds
+    double opacityDistance = 1;         // world units
+    double unitStep = 1;                // world length of `render.step` 1: the smallest spacing of the scene's volumes
+    double time = 0;                    // seconds
+    std::vector<std::string> warnings;  // what is allowed but odd, with its place (a deflection that folds)
 
     /// Compiled pieces with the values they were made from; the next `compile` takes what is equal.
     struct Cache;

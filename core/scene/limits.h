@@ -10,6 +10,8 @@ inline constexpr std::size_t kLargestSceneFile = std::size_t(256) << 20;
 /// Objects and lists within each other, in a file and through `use`. Walking the deepest takes about 0.4 MiB of stack,
 /// and ten times that under sanitizers.
 inline constexpr std::size_t kDeepestNesting = 500;
+/// Nodes of a compiled term that one point may visit: what is shared counts as often as it is used.
+inline constexpr std::size_t kMostTermNodes = 100'000;
 /// Numbers, texts, lists and objects of a scene file: they take up to a hundred bytes each.
 inline constexpr std::size_t kMostJsonValues = 8'000'000;
 /// Mapped cells of all lattices together: at about half a kilobyte each, 2 GiB.
