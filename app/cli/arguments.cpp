@@ -75,6 +75,17 @@ VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const Commo
     return file;
 }
 
+std::variant<VolumeFile, MeshFile> readVolumeOrMeshFile(IoClient& io, const InputArguments& input,
+                                                        const CommonArguments& common) {
+    refuseMotion(input.file);
+    const OpenOptions options = input.options();
+    std::variant<VolumeFile, MeshFile> file;
+    withProgress("Reading " + input.file, common.verbosity(),
+                 [&](Progress* progress) { file = io.readVolumeOrMesh(input.file, options.read, progress); });
+    std::visit([](const auto& any) { printWarnings(any.warnings); }, file);
+    return file;
+}
+
 CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, double time, double aspect) {
     const Timeline& timeline = opened.scene.timeline;
     try {

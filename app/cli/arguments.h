@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "app/cli/terminal.h"
 #include "app/opening/open_file.h"
@@ -53,8 +54,11 @@ CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, 
 /// Throws Error for the name of a motion file.
 void refuseMotion(const std::string& path);
 
-/// Reads a volume with a progress bar and prints its warnings. Throws Error.
+/// Reads a volume with a progress bar and prints its warnings. Throws Error, also for a mesh.
 VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const CommonArguments& common);
+/// The same for files that may hold a mesh.
+std::variant<VolumeFile, MeshFile> readVolumeOrMeshFile(IoClient& io, const InputArguments& input,
+                                                        const CommonArguments& common);
 
 /// Opens a scene or volume with a progress bar and prints its warnings.
 OpenedScene open(IoClient& io, const InputArguments& input, const CommonArguments& common);

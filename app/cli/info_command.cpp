@@ -1,4 +1,4 @@
-// `voledit info`: what a volume or a scene holds.
+// `voledit info`: what a volume, a mesh or a scene holds.
 
 #include <CLI/App.hpp>
 #include <iostream>
@@ -17,6 +17,17 @@ Json toJson(const Vec3& v) {
     return {v.x, v.y, v.z};
 }
 
+Json toJson(const Box3& box) {
+    return {{"min", toJson(box.min)}, {"max", toJson(box.max)}};
+}
+
+void addStatistics(Json& json, const VolumeStatistics& s) {
+    json["min"] = s.min;
+    json["max"] = s.max;
+    json["mean"] = s.mean;
+    json["histogram"] = s.histogram;
+}
+
 Json describe(const VolumeFile& file) {
     const Volume& volume = *file.volume;
     const VolumeGrid& grid = volume.grid();
@@ -31,10 +42,23 @@ Json describe(const VolumeFile& file) {
     json["direction"] = {d[0].x, d[1].x, d[2].x, d[0].y, d[1].y, d[2].y, d[0].z, d[1].z, d[2].z};
     json["component"] = nameOf(volume.type());
     json["channels"] = grid.channels;
-    json["min"] = s.min;
-    json["max"] = s.max;
-    json["mean"] = s.mean;
-    json["histogram"] = s.histogram;
+    addStatistics(json, s);
+    return json;
+}
+
+Json describe(MeshFile file) {
+    Json json;
+    json["kind"] = "mesh";
+    json["format"] = file.format;
+    // 64-bit integers count as what a volume makes of them.
+    json["component"] = file.storedType.ends_with("int64") ? "double" : file.storedType;
+    json["channels"] = file.mesh.channels;
+    json["points"] = file.mesh.points.size();
+    json["cell"] = file.mesh.hexahedra.empty() ? "tetrahedron" : "hexahedron";
+    const Mesh mesh(std::move(file.mesh));
+    json["cells"] = mesh.cells().cellCount();
+    json["bounds"] = toJson(mesh.cells().bounds());
+    addStatistics(json, file.statistics);
     return json;
 }
 
@@ -48,10 +72,13 @@ Json describe(const OpenedScene& opened, const InputArguments& input) {
     for (const auto& [name, asset] : scene.assets) {
         json["assets"][name] = {{"path", asset.path}};
         const auto volume = opened.assets.volumes.find(name);
-        if (volume == opened.assets.volumes.end()) continue;
-        const VolumeGrid& grid = volume->second->grid();
-        json["assets"][name]["size"] = {grid.size.x, grid.size.y, grid.size.z};
-        json["assets"][name]["component"] = nameOf(volume->second->type());
+        if (volume != opened.assets.volumes.end()) {
+            const VolumeGrid& grid = volume->second->grid();
+            json["assets"][name]["size"] = {grid.size.x, grid.size.y, grid.size.z};
+            json["assets"][name]["component"] = nameOf(volume->second->type());
+        }
+        const auto mesh = opened.assets.meshes.find(name);
+        if (mesh != opened.assets.meshes.end()) json["assets"][name]["cells"] = mesh->second->cells().cellCount();
     }
     const auto names = [](const auto& map) {
         Json list = Json::array();
@@ -61,7 +88,7 @@ Json describe(const OpenedScene& opened, const InputArguments& input) {
     json["objects"] = names(scene.objects);
     json["transfers"] = names(scene.transfers);
     json["lattices"] = latticeNames(scene);
-    json["bounds"] = {{"min", toJson(compiled.root->bounds.min)}, {"max", toJson(compiled.root->bounds.max)}};
+    json["bounds"] = toJson(compiled.root->bounds);
     json["opacityDistance"] = compiled.opacityDistance;
     json["camera"] = {{"eye", toJson(compiled.camera.eye)},
                       {"target", toJson(compiled.camera.target)},
@@ -83,7 +110,8 @@ int info(const InputArguments& input, bool asJson, const CommonArguments& common
     if (isSceneFile(input.file)) {
         json = describe(open(io, input, common), input);
     } else {
-        json = describe(readVolumeFile(io, input, common));
+        json =
+            std::visit([](auto&& file) { return describe(std::move(file)); }, readVolumeOrMeshFile(io, input, common));
     }
     if (asJson)
         std::cout << json.dump(2) << "\n";

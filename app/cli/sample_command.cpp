@@ -1,4 +1,4 @@
-// `voledit sample`: values of a volume or a scene at points.
+// `voledit sample`: values of a volume, a mesh or a scene at points.
 
 #include <CLI/App.hpp>
 #include <iostream>
@@ -26,14 +26,12 @@ Json toJson(double v) {
     return v == v ? Json(v) : Json(nullptr);
 }
 
-Json sampleVolume(const Volume& volume, const std::vector<Vec3>& points) {
-    const int channels = volume.grid().channels;
-    std::vector<std::vector<double>> values(std::size_t(channels), std::vector<double>(points.size()));
-    for (int c = 0; c < channels; ++c) volume.sample(points, values[std::size_t(c)], c);
+/// values[channel] of each point.
+Json samplesOf(const std::vector<Vec3>& points, const std::vector<std::vector<double>>& values) {
     Json samples = Json::array();
     for (std::size_t i = 0; i < points.size(); ++i) {
         Json value;
-        if (channels == 1) {
+        if (values.size() == 1) {
             value = toJson(values[0][i]);
         } else if (values[0][i] == values[0][i]) {
             for (const auto& channel : values) value.push_back(toJson(channel[i]));
@@ -41,6 +39,20 @@ Json sampleVolume(const Volume& volume, const std::vector<Vec3>& points) {
         samples.push_back({{"at", toJson(points[i])}, {"value", value}});
     }
     return samples;
+}
+
+Json sampleFile(const VolumeFile& file, const std::vector<Vec3>& points) {
+    const int channels = file.volume->grid().channels;
+    std::vector<std::vector<double>> values(std::size_t(channels), std::vector<double>(points.size()));
+    for (int c = 0; c < channels; ++c) file.volume->sample(points, values[std::size_t(c)], c);
+    return samplesOf(points, values);
+}
+
+Json sampleFile(MeshFile file, const std::vector<Vec3>& points) {
+    const auto mesh = std::make_shared<const Mesh>(std::move(file.mesh));
+    std::vector<std::vector<double>> values(std::size_t(mesh->channels()), std::vector<double>(points.size()));
+    for (int c = 0; c < mesh->channels(); ++c) MeshField(mesh, c).sample(points, values[std::size_t(c)]);
+    return samplesOf(points, values);
 }
 
 /// The point on its way from deformed to undeformed space: after each STF, the outermost first.
@@ -67,7 +79,7 @@ Json sampleScene(const CompiledScene& scene, const std::vector<Vec3>& points) {
     return samples;
 }
 
-int sampleFile(const SampleArguments& a, const CommonArguments& common) {
+int sampleCommand(const SampleArguments& a, const CommonArguments& common) {
     std::vector<Vec3> points;
     for (const std::string& text : a.at) {
         const auto v = parseNumbers(text, 3, "--at");
@@ -79,7 +91,8 @@ int sampleFile(const SampleArguments& a, const CommonArguments& common) {
         const OpenedScene opened = open(io, a.input, common);
         json["samples"] = sampleScene(compileAt(opened, a.input, a.time), points);
     } else {
-        json["samples"] = sampleVolume(*readVolumeFile(io, a.input, common).volume, points);
+        json["samples"] = std::visit([&](auto&& file) { return sampleFile(std::move(file), points); },
+                                     readVolumeOrMeshFile(io, a.input, common));
     }
     if (a.json) {
         std::cout << json.dump(2) << "\n";
@@ -100,7 +113,7 @@ Command addSampleCommand(CLI::App& command, const CommonArguments& common) {
         ->type_name("x,y,z");
     command.add_flag("--json", a->json, "As JSON");
     command.add_option("--time", a->time, "Time in seconds (the timeline's start)")->type_name("S");
-    return [a, &common] { return sampleFile(*a, common); };
+    return [a, &common] { return sampleCommand(*a, common); };
 }
 
 }  // namespace voledit

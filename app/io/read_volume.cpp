@@ -62,7 +62,7 @@ void readAnyVolume(const IoRequest& request, VolumeSink& sink) {
         case Format::MetaImage:
             return load(source, parseMetaImage(source, sink), sink);
         case Format::Vtk:
-            return load(source, parseVtk(source), sink);
+            return readVtk(source, sink);
         case Format::Vdb:
             return readVdb(source, sink);
         case Format::Dicom:

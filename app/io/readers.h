@@ -1,6 +1,6 @@
 #pragma once
-// One reader a format: from a file's header to a StoredVolume, nothing believed, nothing of the voxels read. Each
-// throws Error that names the file, the place, the cause and the remedy.
+// One reader a format: from a file's header to a StoredVolume, nothing believed, nothing of the voxels read; VTK to a
+// volume or mesh. Each throws Error that names the file, the place, the cause and the remedy.
 
 #include <optional>
 
@@ -16,9 +16,14 @@ StoredVolume parseNifti(const Source& source, bool compressed, VolumeSink& sink)
 
 StoredVolume parseMetaImage(const Source& source, VolumeSink& sink);
 
-/// Structured points only.
-StoredVolume parseVtk(const Source& source);
-
 StoredVolume parseRaw(const Source& source, const RawFormat& format);
+
+/// Legacy VTK: structured points become a volume; structured, rectilinear and unstructured grids a mesh. Of several
+/// arrays the one that `mainArray` gives; values of cells become those of points, with a warning.
+void readVtk(const Source& source, VolumeSink& sink);
+
+struct VtkFile;
+/// The mesh in a file whose data set is none of structured points.
+void readVtkMesh(const VtkFile& file, VolumeSink& sink);
 
 }  // namespace voledit

@@ -48,7 +48,7 @@ private:
     std::mutex mutex_;
 };
 
-/// Receives a volume into a memory file.
+/// Receives a volume or mesh into a memory file.
 class MemorySink final : public VolumeSink {
 public:
     MemorySink(ProgressReporter& reporter, std::uint64_t memoryLimit) : reporter_(reporter), limit_(memoryLimit) {}
@@ -59,13 +59,20 @@ public:
         const std::uint64_t bytes =
             checkProduct(where, {std::uint64_t(g.size.x), std::uint64_t(g.size.y), std::uint64_t(g.size.z),
                                  std::uint64_t(g.channels), byteSize(header.type)});
+        return makeFile(where, bytes);
+    }
+    void take(const std::string& where, MeshData mesh, const std::string& storedType) override {
+        mesh_ = countsOf(mesh);
+        header_.format = "vtk";
+        header_.storedType = storedType;
+        header_.grid.channels = mesh.channels;
+        statistics_ = statisticsOf(VoxelType::Float, std::as_bytes(std::span(mesh.values)), mesh.channels);
+        writeMesh(mesh, makeFile(where, byteSize(*mesh_)));
+    }
+    void checkMemory(const std::string& where, std::uint64_t bytes) const override {
         if (bytes > limit_)
             throw Error(where, "needs " + readableBytes(bytes) + ", more than the limit of " + readableBytes(limit_),
                         "raise --memory-limit, or reduce the volume");
-        file_ = makeMemoryFile(bytes);
-        const MemoryLimitLifted lifted;  // the voxels have been held against the limit
-        mapping_ = mapForWriting(file_.get(), bytes);
-        return mapping_.bytes;
     }
     void rescale(double slope, double intercept) override {
         slope_ = slope;
@@ -78,20 +85,30 @@ public:
     std::pair<IoReply, FileDescriptor> finish() {
         if (slope_ != 1 || intercept_ != 0) applyRescale();
         IoReply reply;
-        reply.kind = IoReply::Kind::Volume;
+        reply.kind = mesh_ ? IoReply::Kind::Mesh : IoReply::Kind::Volume;
+        reply.mesh = mesh_.value_or(MeshCounts());
         reply.grid = header_.grid;
         reply.type = header_.type;
         reply.format = header_.format;
         reply.storedType = header_.storedType;
         reply.notes = std::move(warnings_);
         reporter_(0.9);
-        reply.statistics = statisticsOf(header_.type, mapping_.bytes, header_.grid.channels);
+        reply.statistics =
+            mesh_ ? std::move(statistics_) : statisticsOf(header_.type, mapping_.bytes, header_.grid.channels);
         mapping_ = {};
         seal(file_.get());
         return {std::move(reply), std::move(file_)};
     }
 
 private:
+    std::span<std::byte> makeFile(const std::string& where, std::uint64_t bytes) {
+        checkMemory(where, bytes);
+        file_ = makeMemoryFile(bytes);
+        const MemoryLimitLifted lifted;  // the bytes have been held against the limit
+        mapping_ = mapForWriting(file_.get(), bytes);
+        return mapping_.bytes;
+    }
+
     void applyRescale() {
         StoredVolume stored;
         stored.type = StoredType(header_.type);
@@ -109,6 +126,8 @@ private:
     ProgressReporter& reporter_;
     std::uint64_t limit_;
     VolumeHeader header_;
+    std::optional<MeshCounts> mesh_;
+    VolumeStatistics statistics_;  // of a mesh
     FileDescriptor file_;
     MappedBytes mapping_;
     std::vector<std::string> warnings_;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/fields/mesh_data.h"
 #include "core/fields/volume.h"
 
 namespace voledit {
@@ -17,8 +18,8 @@ struct VolumeHeader {
     std::string storedType;  // number type in the file
 };
 
-/// Takes one volume: `allocate` once, then the returned memory is filled. May be called from the reading thread only,
-/// except `progress`.
+/// Takes one volume: `allocate` once, then the returned memory is filled; or one mesh. May be called from the reading
+/// thread only, except `progress`.
 class VolumeSink {
 public:
     virtual ~VolumeSink() = default;
@@ -29,6 +30,11 @@ public:
     /// Says that the values in that memory are to become value × slope + intercept (in the smallest type that holds
     /// them), once they are all there.
     virtual void rescale(double slope, double intercept) = 0;
+    /// Takes a mesh in place of a volume; `storedType` is the number type of its values in the file. Throws Error as
+    /// `allocate` does.
+    virtual void take(const std::string& where, MeshData mesh, const std::string& storedType) = 0;
+    /// Throws Error, as `allocate` does, where `bytes` are more than the memory limit allows.
+    virtual void checkMemory(const std::string& where, std::uint64_t bytes) const = 0;
     /// Fraction of the reading done, 0…1.
     virtual void progress(double fraction) = 0;
     /// Something that was repaired, cut or left out; the user sees it.

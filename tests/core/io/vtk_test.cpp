@@ -58,12 +58,21 @@ TEST_F(Vtk, ReadsVectorsFieldsAndWhatFollows) {
     EXPECT_THAT(followed.warnings, testing::IsEmpty());
 }
 
-TEST_F(Vtk, SaysThatGridsComeLater) {
-    for (const char* kind : {"STRUCTURED_GRID", "UNSTRUCTURED_GRID", "RECTILINEAR_GRID"}) {
-        const auto path = test::writeFile(folder_ / "grid.vtk", std::string("# vtk DataFile Version 3.0\nx\nASCII\n"
-                                                                            "DATASET ") +
-                                                                    kind + "\n");
-        EXPECT_THAT(test::rejection(io_, path), testing::HasSubstr("later version")) << kind;
+TEST_F(Vtk, TakesTheFirstScalarsWhereverTheyStand) {
+    const auto path = test::writeFile(
+        folder_ / "order.vtk",
+        "# vtk DataFile Version 5.1\nx\nASCII\nDATASET STRUCTURED_POINTS\nFIELD FieldData 1\nnote 1 2 string\n"
+        "first line\nsecond line\nDIMENSIONS 2 1 1\nCELL_DATA 1\nSCALARS c int\nLOOKUP_TABLE default\n9\n"
+        "POINT_DATA 2\nVECTORS v float\n1 2 3 4 5 6\nMETADATA\nINFORMATION 0\n\nLOOKUP_TABLE table 1\n0 0 0 1\n"
+        "SCALARS s int 1\nLOOKUP_TABLE table\n7 8\nSCALARS t int 1\nLOOKUP_TABLE default\n5 6\n");
+    EXPECT_EQ(valuesOf(*io_.readVolume(path).volume), (std::vector<double>{7, 8}));
+}
+
+TEST_F(Vtk, RefusesWhatFillsNoVolume) {
+    for (const char* kind : {"POLYDATA", "FIELD", "NONSENSE"}) {
+        const auto path = test::writeFile(folder_ / "surface.vtk",
+                                          std::string("# vtk DataFile Version 3.0\nx\nASCII\nDATASET ") + kind + "\n");
+        EXPECT_THAT(test::rejection(io_, path), testing::HasSubstr("fills no volume")) << kind;
     }
 }
 
