@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/core/io/picture_files.h"
+#include "tests/core/io/vtk_files.h"
 
 namespace voledit {
 namespace {
@@ -47,6 +48,13 @@ protected:
         if (name == "vtk")
             return "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nORIGIN 0 0 0\n"
                    "SPACING 1 1 1\nPOINT_DATA 8\nSCALARS s int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n";
+        if (name == "text.vtk" || name == "bytes.vtk") {
+            const test::VtkStyle style{name == "text.vtk", name == "text.vtk" ? 3 : 5};
+            return test::vtkStart("UNSTRUCTURED_GRID", style) +
+                   test::vtkPoints({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, style) +
+                   test::vtkCells({{10, {0, 1, 2, 3}}, {10, {4, 1, 2, 3}}}, style) +
+                   test::vtkScalars({1, 2, 3, 4, 5}, style);
+        }
         if (name == "dcm") {
             const auto path = test::shared("data/volumes/brain_dicom/36749712.dcm");
             return path ? test::readFile(*path) : "";
@@ -72,8 +80,14 @@ TEST_P(Mutations, NeverHarmTheClient) {
     for (int n = 0; n < 200; ++n) {
         test::writeFile(path, mutated(bytes, std::max<std::size_t>(400, bytes.size() / 8), random));
         try {
-            const auto volume = io_.readVolume(path, options).volume;
-            EXPECT_EQ(volume->voxels().size(), volume->grid().valueCount() * byteSize(volume->type()));
+            const auto file = io_.readVolumeOrMesh(path, options);
+            if (const auto* mesh = std::get_if<MeshFile>(&file)) {
+                EXPECT_EQ(mesh->mesh.values.size(), mesh->mesh.points.size() * std::size_t(mesh->mesh.channels));
+                EXPECT_FALSE(mesh->mesh.tetrahedra.empty());
+            } else {
+                const auto& volume = std::get<VolumeFile>(file).volume;
+                EXPECT_EQ(volume->voxels().size(), volume->grid().valueCount() * byteSize(volume->type()));
+            }
             ++read;
         } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find("mutated"), std::string::npos) << error.what();
@@ -83,11 +97,12 @@ TEST_P(Mutations, NeverHarmTheClient) {
     EXPECT_EQ(read + refused, 200);
     EXPECT_GT(refused, 0);
     test::writeFile(path, bytes);
-    EXPECT_NO_THROW(io_.readVolume(path));
+    EXPECT_NO_THROW(io_.readVolumeOrMesh(path));
 }
 
 INSTANTIATE_TEST_SUITE_P(, Mutations,
-                         testing::Values("nrrd", "nii", "nii.gz", "mha", "vtk", "vdb", "png", "tif", "dcm"),
+                         testing::Values("nrrd", "nii", "nii.gz", "mha", "vtk", "text.vtk", "bytes.vtk", "vdb", "png",
+                                         "tif", "dcm"),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::ranges::replace(name, '.', '_');
