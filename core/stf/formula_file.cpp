@@ -60,7 +60,8 @@ TransferArgument readValue(FormulaFileCursor& cursor, const TransferParameter& p
         case Kind::Pair:
             return readList(cursor, 2);
         case Kind::Vector:
-            if (parameter.uniform && cursor.peek() != '[') return std::vector<double>(3, cursor.number("a number"));
+            // One number stands for three where `uniform` is said, perhaps only behind it.
+            if (cursor.peek() != '[') return std::vector<double>{cursor.number("three numbers, [a, b, c]")};
             return readList(cursor, 3);
         case Kind::Line: {
             const Vec3 point = readVector(cursor);
@@ -104,8 +105,14 @@ Interval readInterval(FormulaFileCursor& cursor) {
     return range;
 }
 
-void requireAllowed(FormulaFileCursor& cursor, const TransferParameter& parameter, const TransferArgument& value) {
-    if (const auto* numbers = std::get_if<std::vector<double>>(&value))
+/// Checks a value that the file gives, and makes three numbers of one for a uniform vector.
+void complete(FormulaFileCursor& cursor, const TransferParameter& parameter, TransferArgument& value) {
+    auto* numbers = std::get_if<std::vector<double>>(&value);
+    if (numbers && parameter.kind == Kind::Vector && numbers->size() == 1) {
+        if (!parameter.uniform) cursor.fail("\"" + parameter.name + "\" needs three numbers, [a, b, c], or uniform");
+        numbers->assign(3, double(numbers->front()));
+    }
+    if (numbers)
         for (const double v : *numbers)
             if (!std::isfinite(v) || !parameter.allowed.contains(v))
                 cursor.fail("\"" + parameter.name + "\" starts with a value that is not allowed");
@@ -237,8 +244,8 @@ private:
         if (!parameter.initial && !suggested)
             cursor.fail("give a default (= VALUE), or what the editor is to start with (suggested VALUE)");
         parameter.suggested = suggested ? *suggested : *parameter.initial;
-        requireAllowed(cursor, parameter, parameter.suggested);
-        if (parameter.initial) requireAllowed(cursor, parameter, *parameter.initial);
+        complete(cursor, parameter, parameter.suggested);
+        if (parameter.initial) complete(cursor, parameter, *parameter.initial);
         const bool finite = std::isfinite(parameter.allowed.low) && std::isfinite(parameter.allowed.high);
         parameter.slider = slider                        ? *slider
                            : finite                      ? parameter.allowed

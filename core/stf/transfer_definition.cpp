@@ -20,8 +20,8 @@ constexpr std::array<int, 3> kCoordinates{0, 1, 2};
 
 /// What a file's formulas become for one choice of axes.
 struct Graphs {
+    FormulaGraph checks;  // one condition each
     FormulaGraph map, withDerivatives;
-    std::optional<FormulaGraph> checks;  // one condition each
     std::optional<TransferImage> image;
 };
 
@@ -49,20 +49,21 @@ FormulaGraph mapGraph(const FormulaFile& file, FormulaSymbols symbols) {
     return {lets, mapOutputs(file), symbols};
 }
 
-std::optional<FormulaGraph> checkGraph(const FormulaFile& file, const FormulaSymbols& symbols) {
-    if (file.checks.empty()) return std::nullopt;
+/// Also where there are no checks: a let before [map] that needs the point is a mistake there, not where it is used.
+FormulaGraph checkGraph(const FormulaFile& file, const FormulaSymbols& symbols) {
     std::vector<FormulaOutput> outputs;
     for (const FormulaFileCheck& check : file.checks) outputs.push_back({check.condition, FormulaType::Condition});
-    return FormulaGraph(file.lets, outputs, symbols);
+    return {file.lets, outputs, symbols};
 }
 
 std::shared_ptr<const Graphs> makeGraphs(const FormulaFile& file, const FormulaSymbols& symbols) {
+    FormulaGraph checks = checkGraph(file, symbols);
     FormulaGraph map = mapGraph(file, symbols);
     FormulaGraph withDerivatives = map.withDerivatives(kCoordinates);
     std::optional<TransferImage> image;
     if (file.image) image.emplace(*file.image, file.lets, symbols);
     return std::make_shared<const Graphs>(
-        Graphs{std::move(map), std::move(withDerivatives), checkGraph(file, symbols), std::move(image)});
+        Graphs{std::move(checks), std::move(map), std::move(withDerivatives), std::move(image)});
 }
 
 std::vector<std::pair<std::string, std::string>> formulasOf(const FormulaFile& file) {
@@ -152,10 +153,8 @@ TransferPtr TransferDefinition::make(const Use& use, std::string* warning) const
         std::any_of(parameters_.begin(), parameters_.end(), [](const auto& p) { return p.strength; });
     const std::vector<double> values =
         parameterValues(*this, arguments, use.frame, hasStrength ? use.amount : 1.0, use.time);
-    if (graphs->checks) {
-        const std::string warnings = checked(compiled_->file, *graphs->checks, values, name_);
-        if (warning) *warning = warnings;
-    }
+    const std::string warnings = checked(compiled_->file, graphs->checks, values, name_);
+    if (warning) *warning = warnings;
     FormulaMap::Parts parts{
         graphs->map, values, Mat4(1), Mat4(1), usesOutside_ ? use.outside : Outside::Hide, {}, graphs->withDerivatives};
     if (usesFrame_) {
