@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
+#include <numeric>
 
 #include "app/io/check_png.h"
 #include "app/io/check_tiff.h"
@@ -73,6 +73,52 @@ Vec3 checkedSpacing(const std::optional<Vec3>& spacing) {
     return spacing.value_or(Vec3(1));
 }
 
+/// A file name as text, number, text, number, …, text.
+std::vector<std::string> partsOf(const std::string& name) {
+    std::vector<std::string> parts(1);
+    for (const char c : name) {
+        const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+        if (digit == (parts.size() % 2 == 1)) parts.emplace_back();
+        parts.back() += c;
+    }
+    if (parts.size() % 2 == 0) parts.emplace_back();
+    return parts;
+}
+
+/// The one part, a number, in which the names differ; nullopt where they differ in others, or in texts.
+std::optional<std::size_t> countingPart(const std::vector<std::vector<std::string>>& names) {
+    std::optional<std::size_t> counting;
+    for (const auto& parts : names) {
+        if (parts.size() != names[0].size()) return std::nullopt;
+        for (std::size_t n = 0; n < parts.size(); ++n) {
+            if (parts[n] == names[0][n] || n == counting) continue;
+            if (n % 2 == 0 || counting) return std::nullopt;
+            counting = n;
+        }
+    }
+    return counting;
+}
+
+/// Warns where the numbers in the names of files, in natural order, have a gap. They may count in steps.
+void warnOfGaps(const std::string& name, const std::vector<Source>& files, VolumeSink& sink) {
+    std::vector<std::vector<std::string>> names;
+    for (const Source& file : files) names.push_back(partsOf(file.path.filename().string()));
+    const auto part = countingPart(names);
+    if (!part) return;
+    std::vector<std::uint64_t> numbers;
+    for (const auto& parts : names) {
+        if (parts[*part].size() > 18) return;  // no numbers, but a mark of some kind
+        numbers.push_back(std::stoull(parts[*part]));
+    }
+    std::uint64_t step = files.size() > 2 ? 0 : 1;
+    for (std::size_t i = 1; i < numbers.size(); ++i) step = std::gcd(step, numbers[i] - numbers[i - 1]);
+    for (std::size_t i = 1; i < numbers.size(); ++i)
+        if (numbers[i] > numbers[i - 1] + step)
+            return sink.warn(name + ": number " + std::to_string(numbers[i - 1] + step) + " is missing behind " +
+                             files[i - 1].path.filename().string() + "; the " + std::to_string(files.size()) +
+                             " slices there are were stacked without gaps");
+}
+
 /// A stack of files in natural order, each checked.
 SliceStack stackOf(const std::string& name, std::vector<Source> files, Format format,
                    const std::optional<Vec3>& spacing, VolumeSink& sink) {
@@ -82,6 +128,7 @@ SliceStack stackOf(const std::string& name, std::vector<Source> files, Format fo
         return stack;
     }
     std::ranges::sort(files, naturallyBefore, [](const Source& s) { return s.path.filename().string(); });
+    warnOfGaps(name, files, sink);
     for (const Source& file : files) {
         if (format == Format::Png) {
             checkPng(file);
@@ -110,20 +157,6 @@ bool matches(std::string_view pattern, std::string_view name) {
         }
     }
     return !name.empty() && name.front() == pattern.front() && matches(pattern.substr(1), name.substr(1));
-}
-
-/// Warns where the numbers of a "%d" pattern have gaps.
-void warnOfGaps(const Source& pattern, const std::vector<Source>& files, VolumeSink& sink) {
-    const std::string form = pattern.path.filename().string();
-    const auto start = form.find('%');
-    if (start == std::string::npos) return;
-    std::set<std::uint64_t> numbers;
-    for (const Source& file : files) {
-        const std::string name = file.path.filename().string().substr(start, 18);
-        numbers.insert(std::uint64_t(std::atoll(name.c_str())));
-    }
-    if (*numbers.rbegin() - *numbers.begin() + 1 != numbers.size())
-        sink.warn(pattern.name + ": numbers are missing; the slices there are were stacked without gaps");
 }
 
 }  // namespace
@@ -183,7 +216,6 @@ SliceStack stackOfPattern(const Source& pattern, const std::optional<Vec3>& spac
     const Format format = *pictureFormat(files.front());
     if (!std::ranges::all_of(files, [&](const Source& file) { return pictureFormat(file) == format; }))
         throw Error(pattern.name, "matches TIFF and PNG files", "name the ending in the pattern");
-    warnOfGaps(pattern, files, sink);
     return stackOf(pattern.name, std::move(files), format, spacing, sink);
 }
 

@@ -19,11 +19,11 @@ DicomFiles seriesOfFile(const Source& file);
 SliceStack stackOfFile(const Source& file, Format format, const std::optional<Vec3>& spacing, VolumeSink& sink);
 
 /// The TIFF or PNG files of a folder, by the numbers in their names; of both kinds the more numerous, with a warning.
-/// Checks each. Throws Error where there are none.
+/// Warns of the first number that is missing. Checks each. Throws Error where there are none.
 SliceStack stackInFolder(const Source& folder, const std::optional<Vec3>& spacing, VolumeSink& sink);
 
-/// The files whose names match "slice_%03d.png" (a number) or "slice_*.png" (anything). Checks each. Throws Error where
-/// there are none.
+/// The files whose names match "slice_%03d.png" (a number) or "slice_*.png" (anything). Warns of the first number that
+/// is missing. Checks each. Throws Error where there are none.
 SliceStack stackOfPattern(const Source& pattern, const std::optional<Vec3>& spacing, VolumeSink& sink);
 
 }  // namespace voledit

@@ -47,12 +47,27 @@ TEST_F(Stacks, PatternsChoose) {
     EXPECT_THAT(test::rejection(io_, folder_ / "c_*.png"), testing::HasSubstr("matches no"));
 }
 
-TEST_F(Stacks, PatternWarnsOfGaps) {
-    slice("a1.png", 1);
-    slice("a3.png", 3);
-    const auto file = io_.readVolume(folder_ / "a%d.png");
-    EXPECT_EQ(file.volume->grid().size.z, 2);
-    EXPECT_THAT(file.warnings, testing::ElementsAre(testing::HasSubstr("missing")));
+TEST_F(Stacks, WarnOfTheFirstNumberThatIsMissing) {
+    const auto warningsOf = [&](const std::filesystem::path& path) { return io_.readVolume(path).warnings; };
+    for (const int n : {8, 9, 10, 12, 15}) slice("a" + std::to_string(n) + "_v2.png", std::uint8_t(n));
+    const auto gap = testing::ElementsAre(testing::HasSubstr("number 11 is missing behind a10_v2.png"));
+    EXPECT_THAT(warningsOf(folder_), gap);
+    EXPECT_THAT(warningsOf(folder_ / "a%d_v2.png"), gap);
+    EXPECT_THAT(warningsOf(folder_ / "a*.png"), gap);
+    EXPECT_EQ(slicesOf(folder_), (std::vector<int>{8, 9, 10, 12, 15}));
+    EXPECT_THAT(warningsOf(folder_ / "a1*_v2.png"), testing::ElementsAre(testing::HasSubstr("number 11 ")));
+    slice("b1.png", 1);
+    slice("b3.png", 3);
+    EXPECT_THAT(warningsOf(folder_ / "b*.png"), testing::ElementsAre(testing::HasSubstr("number 2 ")));
+}
+
+TEST_F(Stacks, DoNotWarnOfNumbersThatCountInSteps) {
+    for (const int n : {0, 5, 10, 15}) slice("z_" + std::to_string(n) + ".png", std::uint8_t(n));
+    EXPECT_THAT(io_.readVolume(folder_).warnings, testing::IsEmpty());
+    slice("z_25.png", 25);
+    EXPECT_THAT(io_.readVolume(folder_).warnings, testing::ElementsAre(testing::HasSubstr("number 20 ")));
+    slice("other_9.png", 1);
+    EXPECT_THAT(io_.readVolume(folder_).warnings, testing::IsEmpty()) << "names that count nothing";
 }
 
 TEST_F(Stacks, TakeTheSpacingThatIsGiven) {
