@@ -85,5 +85,26 @@ TEST(LargestOpacity, BoundsEverySampleAndIsReached) {
     }
 }
 
+TEST(PiecewiseLinear, SlopeIsThatOfThePieceAndZeroBeyond) {
+    const PiecewiseLinear table{{{0, 1}, {2, 5}, {2, 0}, {3, -1}}};
+    EXPECT_EQ(table.slope(-1), 0);
+    EXPECT_EQ(table.slope(0), 2) << "at a corner, the piece after it";
+    EXPECT_EQ(table.slope(1.5), 2);
+    EXPECT_EQ(table.slope(2), -1) << "a step has none of its own";
+    EXPECT_EQ(table.slope(3), 0);
+    EXPECT_EQ(table.slope(9), 0);
+    EXPECT_EQ(PiecewiseLinear{}.slope(1), 0);
+}
+
+TEST(PiecewiseLinear, RangeIsExact) {
+    const PiecewiseLinear table{{{0, 1}, {1, 3}, {2, -2}, {2, 7}, {4, 0}}};
+    EXPECT_EQ(rangeOf(table, {0.5, 0.75}), (Interval{2, 2.5}));
+    EXPECT_EQ(rangeOf(table, {0.5, 1.5}), (Interval{0.5, 3}));
+    EXPECT_EQ(rangeOf(table, {1.5, 2}), (Interval{-2, 7})) << "both sides of the step";
+    EXPECT_EQ(rangeOf(table, {2, 3}), (Interval{3.5, 7})) << "what holds below is not reached";
+    EXPECT_EQ(rangeOf(table, {-kInfinity, kInfinity}), (Interval{-2, 7}));
+    EXPECT_EQ(rangeOf({}, {0, 1}), (Interval{0, 0}));
+}
+
 }  // namespace
 }  // namespace voledit

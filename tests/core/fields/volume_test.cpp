@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <random>
@@ -165,6 +166,97 @@ TEST(Volume, ANaNSampleDoesNotReachItsNeighboursPlaces) {
     EXPECT_EQ(valueAt(*volume, {0, 0, 0}), 1);
     EXPECT_EQ(valueAt(*volume, {2, 0, 0}), 3);
     EXPECT_TRUE(std::isnan(valueAt(*volume, {0.5, 0, 0})));
+}
+
+double valueBy(const Volume& volume, const Vec3& p, Interpolation by) {
+    double value = 0;
+    volume.sample(std::span(&p, 1), std::span(&value, 1), 0, by);
+    return value;
+}
+
+Vec3 gradientBy(const Volume& volume, const Vec3& p, Interpolation by) {
+    Vec3 gradient;
+    volume.gradient(std::span(&p, 1), std::span(&gradient, 1), 0, by);
+    return gradient;
+}
+
+TEST(Volume, NearestIsTheStoredValueOfTheNearestSample) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(0, 1);
+    const VolumeGrid grid = obliqueGrid({5, 4, 6});
+    const auto volume = Volume::fromValues(grid, randomValues<std::int16_t>(grid.valueCount(), random));
+    for (int n = 0; n < 1000; ++n) {
+        const Vec3 x = Vec3(unit(random), unit(random), unit(random)) * Vec3(4, 3, 5);
+        const Vec3 p = transformPoint(grid.worldFromIndex, x);
+        EXPECT_EQ(valueBy(*volume, p, Interpolation::Nearest), volume->at(Index3(glm::round(x))));
+        EXPECT_EQ(gradientBy(*volume, p, Interpolation::Nearest), gradientAt(*volume, p));
+    }
+    const auto row = Volume::fromValues({{3, 1, 1}, 1, Mat4(1.0)}, std::vector<float>{1, 2, 3});
+    EXPECT_EQ(valueBy(*row, {0.5, 0, 0}, Interpolation::Nearest), 2) << "halfway: the larger index";
+    EXPECT_TRUE(std::isnan(valueBy(*row, {2.1, 0, 0}, Interpolation::Nearest)));
+}
+
+/// The uniform cubic B-spline by its definition: the box convolved with itself three times.
+double cubicKernel(double t) {
+    t = std::abs(t);
+    return t < 1 ? 2.0 / 3 - t * t + t * t * t / 2 : t < 2 ? (2 - t) * (2 - t) * (2 - t) / 6 : 0;
+}
+
+TEST(Volume, CubicIsTheSamplesUnderTheBSplineKernel) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(0, 1);
+    VolumeGrid grid = obliqueGrid({5, 4, 6});
+    grid.worldFromIndex[3] = Vec4(1, 2, 3, 1);  // near: values as steep as these magnify the rounding of far places
+    const auto volume = Volume::fromValues(grid, randomValues<std::int16_t>(grid.valueCount(), random));
+    for (int n = 0; n < 500; ++n) {
+        Vec3 x = Vec3(unit(random), unit(random), unit(random)) * Vec3(4, 3, 5);
+        if (n % 5 == 0) x = glm::round(x);
+        double expected = 0;
+        for (int k = -2; k < 9; ++k)
+            for (int j = -2; j < 9; ++j)
+                for (int i = -2; i < 9; ++i)
+                    expected += cubicKernel(x.x - i) * cubicKernel(x.y - j) * cubicKernel(x.z - k) *
+                                volume->at(glm::clamp(Index3(i, j, k), Index3(0), grid.size - 1));
+        EXPECT_NEAR(valueBy(*volume, transformPoint(grid.worldFromIndex, x), Interpolation::Cubic), expected, 1e-8);
+    }
+}
+
+TEST(Volume, CubicIsSmoothAndItsGradientItsOwn) {
+    std::mt19937 random(10);
+    std::uniform_real_distribution<double> unit(0, 1);
+    VolumeGrid grid = obliqueGrid({6, 5, 7});
+    grid.worldFromIndex[3] = Vec4(1, 2, 3, 1);
+    const auto volume = Volume::fromValues(grid, randomValues<std::uint8_t>(grid.valueCount(), random));
+    for (int n = 0; n < 400; ++n) {
+        const Vec3 x = 0.1 + Vec3(unit(random), unit(random), unit(random)) * Vec3(4.8, 3.8, 5.8);
+        const Vec3 p =
+            transformPoint(grid.worldFromIndex, n % 4 ? x : glm::clamp(glm::round(x), Vec3(1), Vec3(4, 3, 5)));
+        const Vec3 found = gradientBy(*volume, p, Interpolation::Cubic);
+        for (int a = 0; a < 3; ++a) {
+            Vec3 h(0);
+            h[a] = 1e-5;
+            const double ahead = valueBy(*volume, p + h, Interpolation::Cubic),
+                         behind = valueBy(*volume, p - h, Interpolation::Cubic);
+            EXPECT_NEAR(found[a], (ahead - behind) / 2e-5, 1e-3);
+        }
+    }
+    const auto flat = Volume::fromValues({{4, 4, 1}, 1, Mat4(1.0)}, std::vector<float>(16, 3));
+    EXPECT_NEAR(valueBy(*flat, {1.3, 2.2, 0.4}, Interpolation::Cubic), 3, 1e-12);
+    EXPECT_EQ(gradientBy(*flat, {1.3, 2.2, 0.4}, Interpolation::Cubic).z, 0);
+}
+
+TEST(Volume, CubicKeepsAffineFieldsAwayFromTheBorder) {
+    const VolumeGrid grid = obliqueGrid({8, 7, 6});
+    const Vec3 slope(3, -2, 0.5);
+    std::vector<double> values;
+    for (int k = 0; k < 6; ++k)
+        for (int j = 0; j < 7; ++j)
+            for (int i = 0; i < 8; ++i)
+                values.push_back(glm::dot(slope, transformPoint(grid.worldFromIndex, {i, j, k})));
+    const auto volume = Volume::fromValues(grid, std::move(values));
+    const Vec3 p = transformPoint(grid.worldFromIndex, {3.4, 2.7, 2.2});
+    EXPECT_NEAR(valueBy(*volume, p, Interpolation::Cubic), glm::dot(slope, p), 1e-9);
+    EXPECT_LT(glm::length(gradientBy(*volume, p, Interpolation::Cubic) - slope), 1e-9);
 }
 
 TEST(VolumeGrid, DirectionsAreUnitColumnsAndSpacingTheirLengths) {
