@@ -108,28 +108,21 @@ bool canBeSeen(Box3 box, const Vec3& margin, const Box3& domain, const Visibilit
     return visibility.visible(box);
 }
 
-CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double slab) {
+CellMesh brickMesh(const Index3& count, const std::vector<char>& seen,
+                   const std::function<Vec3(const Index3&)>& positionOf) {
     CellMesh mesh;
     mesh.kind = CellMesh::Kind::Brick;
-    const Box3 domain = grid.indexDomain();
-    const Vec3 indexPerWorld = rowLengths(glm::inverse(Mat3(worldFromIndex)));
-    Index3 count;
-    for (int a = 0; a < 3; ++a) count[a] = std::max(int(std::ceil(domain.size()[a] / kBrickSide)), 1);
-    const auto indexAt = [&](Index3 corner) {
-        return glm::min(domain.min + Vec3(corner) * double(kBrickSide), domain.max);
-    };
     const auto vertexAt = [&](Index3 corner) {
         return std::uint32_t(corner.x + (count.x + 1) * (corner.y + (count.y + 1) * corner.z));
     };
     for (int k = 0; k <= count.z; ++k)
         for (int j = 0; j <= count.y; ++j)
-            for (int i = 0; i <= count.x; ++i)
-                mesh.position.push_back(transformPoint(worldFromIndex, indexAt({i, j, k})));
+            for (int i = 0; i <= count.x; ++i) mesh.position.push_back(positionOf({i, j, k}));
+    std::size_t n = 0;
     for (int k = 0; k < count.z; ++k)
         for (int j = 0; j < count.y; ++j)
-            for (int i = 0; i < count.x; ++i) {
-                const Box3 box{indexAt({i, j, k}), indexAt({i + 1, j + 1, k + 1})};
-                if (!canBeSeen(box, marginOf(box, indexPerWorld, slab, domain), domain, visibility)) {
+            for (int i = 0; i < count.x; ++i, ++n) {
+                if (!seen[n]) {
                     ++mesh.culled;
                     continue;
                 }
@@ -138,6 +131,25 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
             }
     numberEdges(mesh, kBrickEdges);
     return mesh;
+}
+
+CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Visibility& visibility, double slab) {
+    const Box3 domain = grid.indexDomain();
+    const Vec3 indexPerWorld = rowLengths(glm::inverse(Mat3(worldFromIndex)));
+    Index3 count;
+    for (int a = 0; a < 3; ++a) count[a] = std::max(int(std::ceil(domain.size()[a] / kBrickSide)), 1);
+    const auto indexAt = [&](Index3 corner) {
+        return glm::min(domain.min + Vec3(corner) * double(kBrickSide), domain.max);
+    };
+    std::vector<char> seen;
+    for (int k = 0; k < count.z; ++k)
+        for (int j = 0; j < count.y; ++j)
+            for (int i = 0; i < count.x; ++i) {
+                const Box3 box{indexAt({i, j, k}), indexAt({i + 1, j + 1, k + 1})};
+                seen.push_back(canBeSeen(box, marginOf(box, indexPerWorld, slab, domain), domain, visibility));
+            }
+    return brickMesh(count, seen,
+                     [&](const Index3& corner) { return transformPoint(worldFromIndex, indexAt(corner)); });
 }
 
 CellMesh boxMesh(const Box3& box, const Mat4& worldFromBox) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/fields/volume.h"
@@ -40,6 +41,11 @@ struct CellMesh {
 
 /// Whether anything of `box` (index space) and `margin` around it can be seen; `domain` is the volume's.
 bool canBeSeen(Box3 box, const Vec3& margin, const Box3& domain, const Visibility& visibility);
+
+/// `count` bricks an axis (i fastest), without those whose `seen` is 0; `positionOf` gives the world position of the
+/// corners, counted from 0 to `count`.
+CellMesh brickMesh(const Index3& count, const std::vector<char>& seen,
+                   const std::function<Vec3(const Index3&)>& positionOf);
 
 /// Bricks of 8³ voxels over the volume's domain, moved to the world by `worldFromIndex`.
 /// @param slab  extent of a slab along a ray at most, world units; what is seen there counts too

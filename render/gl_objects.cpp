@@ -51,6 +51,13 @@ Texture makeTable(GLenum format, int width, std::span<const float> values) {
     return texture;
 }
 
+Texture makeTables(int width, int rows, std::span<const float> values) {
+    Texture texture = makeTexture(GL_TEXTURE_1D_ARRAY, GL_LINEAR);
+    glTextureStorage2D(texture.name(), 1, GL_RGBA32F, width, rows);
+    glTextureSubImage2D(texture.name(), 0, 0, 0, width, rows, GL_RGBA, GL_FLOAT, values.data());
+    return texture;
+}
+
 Buffer makeBuffer() {
     GLuint name = 0;
     glCreateBuffers(1, &name);

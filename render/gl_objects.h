@@ -52,6 +52,9 @@ Texture makeTexture2D(GLenum format, Index2 size);
 /// format's channels are 1, 2 or 4).
 Texture makeTable(GLenum format, int width, std::span<const float> values);
 
+/// Immutable array of `rows` such textures of four channels (RGBA32F), one after the other in `values`.
+Texture makeTables(int width, int rows, std::span<const float> values);
+
 Buffer makeBuffer();
 /// Replaces the buffer's whole store, orphaning the old one, so that the GPU need not be waited for.
 template <class T>

@@ -12,10 +12,14 @@ namespace voledit {
 namespace {
 
 void append(ShaderSource& source, const std::filesystem::path& folder, const std::string& file,
-            const std::vector<std::string>* defines) {
+            const std::vector<std::string>* defines, const std::string& generated) {
     if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return;
     const int number = int(source.files.size());
     source.files.push_back(file);
+    if (!defines && file == "generated") {
+        source.text += "#line 1 " + std::to_string(number) + "\n" + generated;
+        return;
+    }
     std::ifstream in(folder / file);
     if (!in || file.find("..") != std::string::npos)
         throw Error((folder / file).string(), "this shader cannot be read", "install voledit's shaders again");
@@ -29,7 +33,7 @@ void append(ShaderSource& source, const std::filesystem::path& folder, const std
     for (int n = 1; std::getline(in, line); ++n) {
         std::smatch match;
         if (std::regex_match(line, match, include)) {
-            append(source, folder, match[1], nullptr);
+            append(source, folder, match[1], nullptr, generated);
             place(n + 1);
         } else {
             source.text += line + "\n";
@@ -77,9 +81,9 @@ GLuint compileStage(GLenum stage, const ShaderSource& source) {
 }  // namespace
 
 ShaderSource loadShader(const std::filesystem::path& folder, const std::string& file,
-                        const std::vector<std::string>& defines) {
+                        const std::vector<std::string>& defines, const std::string& generated) {
     ShaderSource source;
-    append(source, folder, file, &defines);
+    append(source, folder, file, &defines, generated);
     return source;
 }
 
@@ -87,10 +91,30 @@ ShaderLibrary::ShaderLibrary(std::filesystem::path folder) : folder_(std::move(f
 
 Program& ShaderLibrary::get(const ProgramVariant& variant) {
     const auto found = programs_.find(variant);
-    if (found != programs_.end()) return found->second;
+    if (found != programs_.end()) {
+        found->second.lastUse = ++uses_;
+        return found->second.program;
+    }
+    if (!variant.generated.empty()) dropOldest();
+    Program program = compile(variant);
+    ++compiled_;
+    return programs_.emplace(variant, Kept{std::move(program), ++uses_}).first->second.program;
+}
 
+void ShaderLibrary::dropOldest() {
+    auto oldest = programs_.end();
+    std::size_t count = 0;
+    for (auto at = programs_.begin(); at != programs_.end(); ++at) {
+        if (at->first.generated.empty()) continue;
+        ++count;
+        if (oldest == programs_.end() || at->second.lastUse < oldest->second.lastUse) oldest = at;
+    }
+    if (count >= kMostGenerated) programs_.erase(oldest);
+}
+
+Program ShaderLibrary::compile(const ProgramVariant& variant) {
     const ShaderSource vertexSource = loadShader(folder_, variant.vertex, variant.defines);
-    const ShaderSource fragmentSource = loadShader(folder_, variant.fragment, variant.defines);
+    const ShaderSource fragmentSource = loadShader(folder_, variant.fragment, variant.defines, variant.generated);
     const GLuint vertex = compileStage(GL_VERTEX_SHADER, vertexSource);
     GLuint fragment = 0;
     try {
@@ -113,7 +137,7 @@ Program& ShaderLibrary::get(const ProgramVariant& variant) {
         glGetProgramInfoLog(program.name(), length, nullptr, log.data());
         throw Error("shaders/" + variant.vertex + " and shaders/" + variant.fragment + " do not link:\n" + log.c_str());
     }
-    return programs_.emplace(variant, std::move(program)).first->second;
+    return program;
 }
 
 }  // namespace voledit

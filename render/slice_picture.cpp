@@ -3,81 +3,43 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "core/base/parallel.h"
 #include "core/base/paths.h"
-#include "core/stf/mapped_cells.h"
 #include "render/slice_variants.h"
 
 namespace voledit {
 
-namespace {
-
-bool isReal(VoxelType type) {
-    return type == VoxelType::Float || type == VoxelType::Double;
-}
-
-/// True where a point may have several pre-images, or one that is not of a cell.
-bool needsFolding(const TransferTerm& forward) {
-    return forward.by->outside() == Outside::Keep || forward.by->cells()->mayOverlap();
-}
-
-/// True where a pre-image in which nothing is seen still decides.
-bool coverCounts(const TransferTerm& forward) {
-    return forward.by->outside() == Outside::Keep || forward.combine == Combine::First ||
-           forward.combine == Combine::Intersection;
-}
-
-}  // namespace
-
 SliceWorkshop::SliceWorkshop(const SliceOptions& o) : options(o), shaders(shaderFolder()) {}
 
 SlicePicture::SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, Index2 size, double stepScale)
-    : workshop_(workshop), plan_(planSlices(scene.root)), view_(makeView(scene.camera, size)) {
-    folded_ = plan_.forward && needsFolding(*plan_.forward);
-    if (folded_) combine_ = plan_.forward->combine;
-    // Pre-images combine sample by sample, so a slice is one step.
-    slabDepth_ = scene.stepLength() * stepScale * (folded_ ? 1 : workshop.options.segments);
-    const bool cullCells = workshop.options.cull && !(folded_ && coverCounts(*plan_.forward));
-    SliceResources& resources = workshop.resources;
-    resources.prepare(plan_, {workshop.options.cull, cullCells, slabDepth_ * view_.longestRay()});
+    : workshop_(workshop), view_(makeView(scene.camera, size)) {
+    const double step = scene.stepLength() * stepScale;
+    content_ = makeContent(workshop, scene, step, view_.longestRay());
+    folded_ = content_->folded();
+    slabDepth_ = step * content_->stepsOfSlab();
     workshop.target.start(size);
     if (folded_) workshop.fold.resize(size);
-    addLayer(resources.mesh(), resources.entryFromSource(), scene);
-    if (resources.uncovered())
-        addLayer(*resources.uncovered(), resources.entryFromSource() * glm::inverse(plan_.worldFromDeformed), scene);
+    for (const SliceContent::Part& part : content_->parts()) addLayer(part);
     layOut();
     for (const Layer& layer : layers_)
         for (Program* program : layer.programs)
             if (program) setUniforms(*program, layer, scene);
     if (folded_) setCompositeUniforms(scene);
+    statistics_.programsCompiled = workshop.shaders.compiled();
 }
 
-void SlicePicture::addLayer(const CellMesh& mesh, const Mat4& indexFromWorld, const CompiledScene& scene) {
-    const bool mapped = mesh.kind == CellMesh::Kind::Tetrahedron;
-    std::array<Program*, 2> programs{&programOf(mapped, 0, scene), nullptr};
-    if (folded_ && FoldTarget::passes(combine_) == 2) programs[1] = &programOf(mapped, 1, scene);
-    layers_.push_back(
-        {mapped, indexFromWorld,
-         CellSlicer(mesh, view_, plan_.volume->volume->grid().indexDomain(), workshop_.resources.visibility()),
-         mapped ? &workshop_.cells : &workshop_.bricks, mapped ? &workshop_.cellBatches : &workshop_.brickBatches,
-         programs});
-    statistics_.cells += mesh.cellCount();
-    statistics_.culledCells += mesh.culled;
-}
-
-Program& SlicePicture::programOf(bool mapped, int pass, const CompiledScene& scene) {
-    const VolumeTerm& volume = *plan_.volume;
-    SliceVariant variant{.mapped = mapped,
-                         .located = !plan_.located.empty(),
-                         .shaded = scene.render.shading,
-                         .gradientOpacity = !volume.appearance.gradientOpacity.points.empty(),
-                         .realVoxels = isReal(volume.volume->type()),
-                         .segments = workshop_.options.segments,
-                         .subsamples = workshop_.options.subsamples};
-    if (!folded_) return workshop_.shaders.get(sliceVariant(variant));
-    return workshop_.shaders.get(foldVariant(variant, combine_, pass, coverCounts(*plan_.forward)));
+void SlicePicture::addLayer(const SliceContent::Part& part) {
+    const bool mapped = part.mesh->kind == CellMesh::Kind::Tetrahedron;
+    std::array<Program*, 2> programs{&workshop_.shaders.get(content_->variant(mapped, 0)), nullptr};
+    if (folded_ && FoldTarget::passes(*folded_) == 2)
+        programs[1] = &workshop_.shaders.get(content_->variant(mapped, 1));
+    layers_.push_back({mapped, part.placeFromWorld,
+                       CellSlicer(*part.mesh, view_, content_->domain(), content_->visibility()),
+                       mapped ? &workshop_.cells : &workshop_.bricks,
+                       mapped ? &workshop_.cellBatches : &workshop_.brickBatches, programs});
+    statistics_.cells += part.mesh->cellCount();
+    statistics_.culledCells += part.mesh->culled;
 }
 
 void SlicePicture::layOut() {
@@ -104,46 +66,26 @@ void SlicePicture::layOut() {
 }
 
 void SlicePicture::setUniforms(Program& p, const Layer& layer, const CompiledScene& scene) const {
-    const Volume& volume = *plan_.volume->volume;
     const Mat3 rays(view_.rayAtOrigin(), view_.rayPerPixelX(), view_.rayPerPixelY());
-    const Mat3 indexFromWorld(layer.indexFromWorld);
-    Mat3 atReference = referenceDepth_ * (indexFromWorld * rays);
-    atReference[0] += transformPoint(layer.indexFromWorld, view_.eye);
-    const Box3 domain = volume.grid().indexDomain();
-    const VolumeTexture& texture = workshop_.resources.volume();
-    const TransferTable& table = workshop_.resources.table();
-    const double entriesPerValue = (TransferTable::kSize - 1) / (table.high - table.low);
+    const Mat3 placeFromWorld(layer.placeFromWorld);
+    Mat3 atReference = referenceDepth_ * (placeFromWorld * rays);
+    atReference[0] += transformPoint(layer.placeFromWorld, view_.eye);
     const RenderSettings& render = scene.render;
     const Vec3 light = render.light ? glm::normalize(*render.light) : Vec3(0);
 
-    p.set("volume", 0);
-    p.set("thicknessTable", 1);
-    p.set("colorTable", 2);
-    p.set("gradientTable", 3);
     p.set("rayPerDepth", Mat3f(rays));
     p.set("indexAtReference", Mat3f(atReference));
-    p.set("indexPerDepth", Mat3f(indexFromWorld * rays));
-    p.set("indexFromWorld", Mat3f(indexFromWorld));
-    p.set("volumeLast", Vec3f(volume.grid().size - 1));
-    p.set("texelPerIndex", Vec3f(1.0 / Vec3(volume.grid().size)));
-    p.set("domainMin", Vec3f(domain.min - 1e-3));
-    p.set("domainMax", Vec3f(domain.max + 1e-3));
-    p.set("tableScale", float(texture.valueScale * entriesPerValue));
-    p.set("tableOffset", float((texture.valueOffset - table.low) * entriesPerValue));
-    p.set("tableSize", float(TransferTable::kSize));
-    p.set("visibleEntries", Vec2f(table.firstVisible, table.lastVisible));
-    p.set("gradientScale", float((TransferTable::kSize - 1) / table.gradientHigh));
-    p.set("gradientUnit", float(texture.valueScale));
-    p.set("restFromIndexGradient", Mat3f(glm::transpose(Mat3(volume.indexFromWorld()))));
-    p.set("locatedCount", int(plan_.located.size()));
+    p.set("indexPerDepth", Mat3f(placeFromWorld * rays));
+    p.set("indexFromWorld", Mat3f(placeFromWorld));
     p.set("slabDepth", float(slabDepth_));
     p.set("opacityDistance", float(scene.opacityDistance));
     p.set("lighting", Vec4f(render.ambient, render.diffuse, render.specular, render.shininess));
     p.set("towardLight", Vec4f(light, render.light ? 1 : 0));
+    content_->setUniforms(p);
 }
 
 void SlicePicture::setCompositeUniforms(const CompiledScene& scene) {
-    composite_ = &workshop_.shaders.get(foldCompositeVariant(combine_));
+    composite_ = &workshop_.shaders.get(foldCompositeVariant(*folded_));
     composite_->set("sampled", 0);
     composite_->set("lit", 1);
     composite_->set("rayPerDepth", Mat3f(Mat3(view_.rayAtOrigin(), view_.rayPerPixelX(), view_.rayPerPixelY())));
@@ -176,7 +118,7 @@ void SlicePicture::draw(int count) {
 
 void SlicePicture::drawBatch(int number) {
     workshop_.target.bind();
-    workshop_.resources.bind();
+    content_->bind();
     for (const Layer& layer : layers_) {
         const SliceBatch& batch = (*layer.batches)[std::size_t(number)];
         layer.programs[0]->use();
@@ -196,9 +138,9 @@ void SlicePicture::drawFolded(int number) {
         workshop_.target.bind();  // the common state
         glEnable(GL_SCISSOR_TEST);
         glScissor(window_[0], window_[1], window_[2], window_[3]);
-        workshop_.resources.bind();
-        for (int pass = 0; pass < FoldTarget::passes(combine_); ++pass) {
-            workshop_.fold.start(combine_, pass);
+        content_->bind();
+        for (int pass = 0; pass < FoldTarget::passes(*folded_); ++pass) {
+            workshop_.fold.start(*folded_, pass);
             for (const Layer& layer : layers_) {
                 layer.mapped ? workshop_.fold.drawCells() : workshop_.fold.drawUncovered();
                 layer.programs[std::size_t(pass)]->use();

@@ -8,10 +8,13 @@
 #include "render/cell_slicer.h"
 #include "render/fold_target.h"
 #include "render/shader_library.h"
+#include "render/slice_content.h"
 #include "render/slice_geometry.h"
 #include "render/slice_renderer.h"
 #include "render/slice_resources.h"
 #include "render/slice_target.h"
+#include "render/term_mesh.h"
+#include "render/term_resources.h"
 
 namespace voledit {
 
@@ -21,7 +24,9 @@ struct SliceWorkshop {
 
     SliceOptions options;
     ShaderLibrary shaders;
-    SliceResources resources;
+    SliceResources resources;  // of chains
+    TermResources terms;       // of any other term
+    TermCells termCells;
     SliceTarget target;
     FoldTarget fold;
     SliceGeometry bricks{false}, cells{true};
@@ -49,15 +54,14 @@ private:
     /// The bricks or the cells of this picture.
     struct Layer {
         bool mapped;
-        Mat4 indexFromWorld;  // for bricks; to grid coordinates where maps are located
+        Mat4 placeFromWorld;  // for bricks
         CellSlicer slicer;
         SliceGeometry* geometry;
         std::vector<SliceBatch>* batches;
         std::array<Program*, 2> programs;  // of the passes
     };
 
-    void addLayer(const CellMesh& mesh, const Mat4& indexFromWorld, const CompiledScene& scene);
-    Program& programOf(bool mapped, int pass, const CompiledScene& scene);
+    void addLayer(const SliceContent::Part& part);
     void setUniforms(Program& program, const Layer& layer, const CompiledScene& scene) const;
     void setCompositeUniforms(const CompiledScene& scene);
     void layOut();
@@ -66,10 +70,9 @@ private:
     void drawFolded(int number);
 
     SliceWorkshop& workshop_;
-    SlicePlan plan_;
     View view_;
-    bool folded_ = false;
-    Combine combine_ = Combine::Union;
+    std::unique_ptr<SliceContent> content_;
+    std::optional<Combine> folded_;
     double slabDepth_ = 1;
     std::vector<Layer> layers_;
     Program* composite_ = nullptr;

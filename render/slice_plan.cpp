@@ -2,19 +2,11 @@
 
 #include <glm/matrix.hpp>
 
-#include "core/base/error.h"
 #include "core/stf/mapped_cells.h"
 
 namespace voledit {
 
-namespace {
-[[noreturn]] void refuse(const TransferTerm& transfer, const std::string& cause) {
-    throw Error(transfer.name.empty() ? std::string("transfer") : "transfer \"" + transfer.name + "\"", cause,
-                "use --renderer rays");
-}
-}  // namespace
-
-SlicePlan planSlices(const TermPtr& root) {
+std::optional<SlicePlan> planChain(const TermPtr& root) {
     SlicePlan plan;
     plan.root = root;
     Mat4 restFromWorld(1);  // of the affine maps passed so far, since the last forward map
@@ -23,15 +15,13 @@ SlicePlan planSlices(const TermPtr& root) {
         if (const auto affine = transfer->by->affine()) {
             restFromWorld = *affine * restFromWorld;
         } else if (!transfer->by->cells()) {
-            refuse(*transfer, "slices cannot draw this kind of map");
+            return std::nullopt;
         } else if (!plan.forward) {
             plan.forward = transfer;
             plan.worldFromDeformed = glm::inverse(restFromWorld);
             restFromWorld = Mat4(1);
-        } else if (transfer->by->cells()->mayOverlap()) {
-            refuse(*transfer, "slices cannot draw a folded map below another one");
-        } else if (plan.located.size() == SlicePlan::kMostLocated) {
-            refuse(*transfer, "slices can draw " + std::to_string(SlicePlan::kMostLocated + 1) + " such maps at most");
+        } else if (transfer->by->cells()->mayOverlap() || plan.located.size() == SlicePlan::kMostLocated) {
+            return std::nullopt;
         } else {
             plan.located.push_back({transfer, restFromWorld});
             restFromWorld = Mat4(1);
@@ -39,9 +29,14 @@ SlicePlan planSlices(const TermPtr& root) {
         term = transfer->of.get();
     }
     plan.volume = std::get_if<VolumeTerm>(&term->node);
-    if (!plan.volume) throw Error("scene", "slices cannot draw this kind of object", "use --renderer rays");
+    if (!plan.volume || plan.volume->interpolation != Interpolation::Linear) return std::nullopt;
     plan.indexFromSource = plan.volume->volume->indexFromWorld() * restFromWorld;
     return plan;
+}
+
+SlicePlans planSlices(const TermPtr& root) {
+    if (auto chain = planChain(root)) return {std::move(chain), std::nullopt};
+    return {std::nullopt, makeTermProgram(root)};
 }
 
 }  // namespace voledit

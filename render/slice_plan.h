@@ -1,10 +1,12 @@
 #pragma once
-// What slices draw of a term: which cells are cut, which maps fragments look up, how index coordinates follow from
-// them.
+// What slices draw of a term: a chain of forward and affine maps over one volume, which has its own programs, or any
+// other term by a generated one.
 
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "core/objects/term.h"
+#include "render/term_program.h"
 
 namespace voledit {
 
@@ -29,7 +31,15 @@ struct SlicePlan {
     Mat4 indexFromSource{1};  // from the innermost forward map's source (the world, without one) to indices
 };
 
+/// Nullopt for a term that is no such chain, and for chains with folded maps below another one.
+std::optional<SlicePlan> planChain(const TermPtr& root);
+
+/// How slices draw a term: exactly one of the two is there.
+struct SlicePlans {
+    std::optional<SlicePlan> chain;
+    std::optional<TermProgram> program;
+};
 /// Throws Error for a term that slices cannot draw, which says to use rays.
-SlicePlan planSlices(const TermPtr& root);
+SlicePlans planSlices(const TermPtr& root);
 
 }  // namespace voledit

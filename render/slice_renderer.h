@@ -13,8 +13,9 @@ namespace voledit {
 struct SliceStatistics {
     int slices = 0;
     std::uint64_t polygons = 0;
-    std::size_t cells = 0;        // tetrahedra cut
-    std::size_t culledCells = 0;  // tetrahedra that cannot be seen
+    std::size_t cells = 0;             // tetrahedra cut
+    std::size_t culledCells = 0;       // tetrahedra that cannot be seen
+    std::size_t programsCompiled = 0;  // since the renderer was made
 };
 
 /// How slices are made; the defaults are what pictures are drawn with, the rest is for tests and measurements.

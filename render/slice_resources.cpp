@@ -2,25 +2,9 @@
 
 #include <glm/matrix.hpp>
 
-#include "core/base/error.h"
+#include "render/cell_buffers.h"
 
 namespace voledit {
-
-namespace {
-
-/// A buffer that fragments read. Throws Error where the driver's blocks are too small for it.
-template <class T>
-Buffer makeStorage(std::span<const T> values) {
-    GLint64 most = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    if (GLint64(values.size_bytes()) > most)
-        throw Error("OpenGL", "the driver cannot hold the cells of a map below another one", "use --renderer rays");
-    Buffer buffer = makeBuffer();
-    fill(buffer, values, GL_STATIC_DRAW);
-    return buffer;
-}
-
-}  // namespace
 
 void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
     prepareVolume(*plan.volume);
@@ -82,9 +66,7 @@ void SliceResources::prepareLocated(const SlicePlan& plan) {
     }
     made.affine.push_back(plan.indexFromSource);
     made.entryFromSource = maps.entryFromSource;
-    made.buffers = {makeStorage(std::span(maps.maps)), makeStorage(std::span(maps.cells)),
-                    makeStorage(std::span(maps.tetrahedra)), makeStorage(std::span(maps.corners)),
-                    makeStorage(std::span(maps.vertices))};
+    made.buffers = cellBuffers(maps);
     located_ = std::move(made);
 }
 
@@ -97,7 +79,7 @@ CellMesh SliceResources::cellsOf(const SlicePlan& plan, const CullRequest& cull)
     const MappedCells& cells = *plan.forward->by->cells();
     if (located_)
         return tetrahedronMesh(cells, plan.worldFromDeformed, located_->entryFromSource,
-                               hexahedraSeen(plan, visibility, cull.slab));
+                               cellsSeen(plan, visibility, cull.slab));
     return tetrahedronMesh(cells, plan.worldFromDeformed, plan.indexFromSource, grid, visibility, cull.slab);
 }
 
@@ -124,9 +106,7 @@ void SliceResources::bind() const {
     glBindTextureUnit(1, table_->thickness.name());
     glBindTextureUnit(2, table_->color.name());
     glBindTextureUnit(3, table_->gradient.name());
-    if (!located_) return;
-    for (std::size_t n = 0; n < located_->buffers.size(); ++n)
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(n), located_->buffers[n].name());
+    if (located_) bindCells(located_->buffers);
 }
 
 }  // namespace voledit

@@ -39,6 +39,13 @@ ProgramVariant foldCompositeVariant(Combine combine) {
     return program;
 }
 
+ProgramVariant termVariant(const TermProgram& program, bool mapped, bool shaded) {
+    ProgramVariant variant{"slice.vert", "term.frag", program.defines(), program.text};
+    if (mapped) variant.defines.push_back("MAPPED");
+    if (shaded) variant.defines.push_back("SHADED");
+    return variant;
+}
+
 std::vector<ProgramVariant> allPrograms() {
     std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}, {"overlay.vert", "overlay.frag", {}}};
     const std::array<Combine, 4> combines{Combine::Union, Combine::Merge, Combine::Intersection, Combine::First};

@@ -5,6 +5,7 @@
 
 #include "core/objects/term.h"
 #include "render/shader_library.h"
+#include "render/term_program.h"
 
 namespace voledit {
 
@@ -22,6 +23,9 @@ ProgramVariant sliceVariant(const SliceVariant& variant);
 /// @param cover  pre-images in which nothing is seen count
 ProgramVariant foldVariant(const SliceVariant& variant, Combine combine, int pass, bool cover);
 ProgramVariant foldCompositeVariant(Combine combine);
+
+/// The program of a term.
+ProgramVariant termVariant(const TermProgram& program, bool mapped, bool shaded);
 
 /// Every program that the renderers use, for tests that compile them all.
 std::vector<ProgramVariant> allPrograms();

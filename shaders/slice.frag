@@ -13,6 +13,7 @@
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
 #ifdef LOCATED
+#include "common/cell_search.glsl"
 #include "common/located.glsl"
 #include "common/located_ray.glsl"
 #else

@@ -1,0 +1,28 @@
+#pragma once
+// Slices of a chain of forward and affine maps over one volume.
+
+#include "render/slice_content.h"
+#include "render/slice_picture.h"
+
+namespace voledit {
+
+class ChainContent final : public SliceContent {
+public:
+    ChainContent(SliceWorkshop& workshop, SlicePlan plan, const CompiledScene& scene, double step, double longestRay);
+
+    std::vector<Part> parts() const override;
+    const Visibility& visibility() const override;
+    Box3 domain() const override;
+    int stepsOfSlab() const override;
+    std::optional<Combine> folded() const override;
+    ProgramVariant variant(bool mapped, int pass) const override;
+    void setUniforms(Program& program) const override;
+    void bind() const override;
+
+private:
+    SliceWorkshop& workshop_;
+    SlicePlan plan_;
+    bool shaded_, folded_;
+};
+
+}  // namespace voledit

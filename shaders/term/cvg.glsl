@@ -1,0 +1,102 @@
+// term/cvg.glsl: the operators of constructive volume geometry (definitions.md §4) on two samples: the twin of
+// core/objects/cvg.h, which says what value and gradient are.
+
+vec3 selectedColor(Sample a, Sample b) {
+    return a.opacity >= b.opacity ? a.color : b.color;
+}
+
+// By weights; the mean where both are 0.
+vec3 mixedColor(vec3 a, float weightOfA, vec3 b, float weightOfB) {
+    float sum = weightOfA + weightOfB;
+    return sum > 0.0 ? (weightOfA * a + weightOfB * b) / sum : 0.5 * (a + b);
+}
+
+float valueOfLarger(Sample a, float opacityOfA, Sample b, float opacityOfB) {
+    bool second = opacityOfB > opacityOfA || (opacityOfB == opacityOfA && isNan(a.value));
+    return second ? b.value : a.value;
+}
+
+Sample cvgUnion(Sample a, Sample b) {
+    return Sample(max(a.opacity, b.opacity), selectedColor(a, b), valueOfLarger(a, a.opacity, b, b.opacity),
+                  b.opacity > a.opacity ? b.gradient : a.gradient);
+}
+
+Sample cvgIntersection(Sample a, Sample b) {
+    return Sample(min(a.opacity, b.opacity), selectedColor(a, b), valueOfLarger(a, a.opacity, b, b.opacity),
+                  b.opacity < a.opacity ? b.gradient : a.gradient);
+}
+
+Sample cvgMerge(Sample a, Sample b) {
+    return Sample(min(1.0, a.opacity + b.opacity), mixedColor(a.color, a.opacity, b.color, b.opacity),
+                  valueOfLarger(a, a.opacity, b, b.opacity), b.opacity > a.opacity ? b.gradient : a.gradient);
+}
+
+Sample cvgDifference(Sample a, Sample b) {
+    bool bare = b.opacity > 0.0 && b.gradient != vec3(0.0);
+    return Sample(max(0.0, a.opacity - b.opacity), a.color, a.value, bare ? -b.gradient : a.gradient);
+}
+
+Sample cvgCap(Sample a, Sample b) {
+    return Sample(a.opacity <= b.opacity ? a.opacity : 0.0, a.color, a.value, a.gradient);
+}
+
+Sample cvgTrim(Sample a, Sample b) {
+    return Sample(a.opacity >= b.opacity ? a.opacity : 0.0, a.color, a.value, a.gradient);
+}
+
+Sample cvgBlend(Sample a, Sample b, float weight) {
+    float partOfA = (1.0 - weight) * a.opacity;
+    float partOfB = weight * b.opacity;
+    vec3 color = mixedColor(a.color, partOfA, b.color, partOfB);
+    Sample s = Sample(clamp(partOfA + partOfB, 0.0, 1.0), clamp(color, 0.0, 1.0),
+                      valueOfLarger(a, partOfA, b, partOfB), partOfB > partOfA ? b.gradient : a.gradient);
+    return isFinite(weight) && isPoint(color) ? s : emptySample();
+}
+
+// The pre-images of a folded map one after the other (core/objects/combine.h).
+struct Combined {
+    Sample result;
+    float largest;   // opacities so far
+    float smallest;
+};
+
+Combined firstPreImage(Sample s) {
+    return Combined(s, s.opacity, s.opacity);
+}
+
+void carryValue(Combined before, Sample s, inout Combined c) {
+    bool counts = s.opacity > before.largest || (s.opacity == before.largest && isNan(before.result.value));
+    c.result.value = counts ? s.value : before.result.value;
+    c.largest = max(before.largest, s.opacity);
+    c.smallest = min(before.smallest, s.opacity);
+}
+
+Combined combineUnion(Combined before, Sample s) {
+    Combined c = before;
+    c.result = cvgUnion(before.result, s);
+    c.result.gradient = s.opacity > before.largest ? s.gradient : before.result.gradient;
+    carryValue(before, s, c);
+    return c;
+}
+
+Combined combineMerge(Combined before, Sample s) {
+    Combined c = before;
+    c.result = cvgMerge(before.result, s);
+    c.result.gradient = s.opacity > before.largest ? s.gradient : before.result.gradient;
+    carryValue(before, s, c);
+    return c;
+}
+
+Combined combineIntersection(Combined before, Sample s) {
+    Combined c = before;
+    c.result = cvgIntersection(before.result, s);
+    c.result.gradient = s.opacity < before.smallest ? s.gradient : before.result.gradient;
+    carryValue(before, s, c);
+    return c;
+}
+
+Combined combineFirst(Combined before, Sample s) {
+    Combined c = before;
+    carryValue(before, s, c);
+    return c;
+}
