@@ -1,4 +1,5 @@
 // Numbers, vectors, tables and settings of a scene file.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,48 +19,86 @@ void SceneReader::notBuilt(const JsonPlace& place, const std::string& what, cons
     fail(place, what + " are not built yet in this version of voledit", remedy);
 }
 
-double SceneReader::number(const JsonView& view) const {
-    if (view.value.is_object()) notBuilt(view.place, "tracks", "write a plain value in place of the keys");
-    return view.value.get<double>();
+void SceneReader::failUnknown(const JsonView& name, const std::string& what, const std::vector<std::string>& known,
+                              const std::string& otherwise) const {
+    const std::string nearest = nearestName(name.text(), known);
+    fail(name.place, what, nearest.empty() ? otherwise : "did you mean \"" + nearest + "\"?");
 }
 
-Vec3 SceneReader::vector(const JsonView& view) const {
-    if (view.value.is_object()) notBuilt(view.place, "tracks", "write a plain vector in place of the keys");
-    return {number(view[0]), number(view[1]), number(view[2])};
+namespace {
+
+/// Before any key, and at every key of any of `values`: where a bad value is likely to show.
+template <class... Values>
+std::vector<double> timesOf(const Values&... values) {
+    std::vector<double> times{-kInfinity};
+    const auto add = [&](const auto& value) {
+        for (const PartTrack& part : value.tracks())
+            for (const auto& key : part.track.keys) times.push_back(key.time);
+    };
+    (add(values), ...);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
 }
 
-Vec3 SceneReader::direction(const JsonView& view) const {
-    const Vec3 v = vector(view);
-    if (v == Vec3(0)) fail(view.place, "found the vector 0, expected a direction", "give it a length");
+/// " at 1.5 s", for messages about tracks.
+std::string atTime(double t) {
+    if (t == -kInfinity) return "";
+    std::string number = std::to_string(t);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+    return " at " + number + " s";
+}
+
+}  // namespace
+
+Tracked<Vec3> SceneReader::direction(const JsonView& view) const {
+    const Tracked<Vec3> v = vector(view);
+    for (const double t : timesOf(v))
+        if (v.at(t) == Vec3(0))
+            fail(view.place, "found the vector 0" + atTime(t) + ", expected a direction", "give it a length");
     return v;
 }
 
-Vec3 SceneReader::numberOrThree(const JsonView& view) const {
-    return view.value.is_array() ? vector(view) : Vec3(number(view));
+TrackedBox SceneReader::box(const JsonView& view, const char* what) const {
+    TrackedBox result;
+    result.min = vector(view["min"]);
+    result.max = vector(view["max"]);
+    for (const double t : timesOf(result.min, result.max))
+        for (int a = 0; a < 3; ++a)
+            if (!(result.max.at(t)[a] > result.min.at(t)[a]))
+                fail(view.place, std::string(what) + "'s max is not above its min along " + "xyz"[a] + atTime(t),
+                     "give it a size on every axis");
+    return result;
 }
 
 Index3 SceneReader::indices(const JsonView& view) const {
     return {view.value[0].get<int>(), view.value[1].get<int>(), view.value[2].get<int>()};
 }
 
-Frame SceneReader::frame(const JsonView& view) const {
-    Frame result;
+TrackedFrame SceneReader::frame(const JsonView& view) const {
+    TrackedFrame result;
+    std::vector<double> times;
     if (view.has("min")) {
-        const Box3 box{vector(view["min"]), vector(view["max"])};
-        for (int a = 0; a < 3; ++a)
-            if (!(box.max[a] > box.min[a]))
-                fail(view.place, "the frame's max is not above its min along " + std::string(1, "xyz"[a]),
-                     "give it a size on every axis");
-        result = frameOf(box);
+        const TrackedBox form = box(view, "the frame");
+        result = TrackedFrame(form);
+        times = timesOf(form.min, form.max);
     } else {
-        result = {vector(view["corner"]), {vector(view["x"]), vector(view["y"]), vector(view["z"])}};
+        const TrackedFrame::Oblique form{vector(view["corner"]),
+                                         {vector(view["x"]), vector(view["y"]), vector(view["z"])}};
+        result = TrackedFrame(form);
+        times = timesOf(form.corner, form.edge[0], form.edge[1], form.edge[2]);
     }
-    const auto& edge = result.edge;
-    const double volume = std::abs(glm::determinant(Mat3(edge[0], edge[1], edge[2])));
-    const double box = glm::length(edge[0]) * glm::length(edge[1]) * glm::length(edge[2]);
-    if (!std::isfinite(box)) fail(view.place, "the frame is too large to compute with", "give it a smaller size");
-    if (!(volume > 1e-12 * box))
-        fail(view.place, "the frame is flat: its edges do not span space", "give it three independent edges");
+    for (const double t : times) {
+        const auto edge = result.at(t).edge;
+        const double volume = std::abs(glm::determinant(Mat3(edge[0], edge[1], edge[2])));
+        const double lengths = glm::length(edge[0]) * glm::length(edge[1]) * glm::length(edge[2]);
+        if (!std::isfinite(lengths))
+            fail(view.place, "the frame is too large to compute with" + atTime(t), "give it a smaller size");
+        if (!(volume > 1e-12 * lengths))
+            fail(view.place, "the frame is flat: its edges do not span space" + atTime(t),
+                 "give it three independent edges");
+    }
     return result;
 }
 
@@ -68,44 +107,25 @@ Placement SceneReader::placement(const JsonView& view) const {
     if (view.has("translate")) result.translate = vector(view["translate"]);
     if (view.has("rotate")) result.rotate = vector(view["rotate"]);
     if (view.has("scale")) result.scale = numberOrThree(view["scale"]);
-    if (view.has("matrix")) {
-        const JsonView matrix = view["matrix"];
-        if (matrix.value.is_object()) notBuilt(matrix.place, "tracks", "write 16 numbers in place of the keys");
-        Mat4 m;
-        for (int n = 0; n < 16; ++n) m[n % 4][n / 4] = number(matrix[std::size_t(n)]);
-        if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
-            fail(matrix.place, "the matrix's last row is not 0, 0, 0, 1", "write an affine matrix, row by row, q to p");
-        result.matrix = m;
+    if (view.has("matrix")) result.matrix = matrix(view["matrix"]);
+    const auto times = result.matrix ? timesOf(*result.matrix) : timesOf(result.scale);
+    for (const double t : times) {
+        Placement now;
+        now.scale = result.scale.at(t);
+        now.rotate = *result.rotate;
+        if (result.matrix) {
+            const Mat4 m = result.matrix->at(t);
+            if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
+                fail(view["matrix"].place, "the matrix's last row is not 0, 0, 0, 1" + atTime(t),
+                     "write an affine matrix, row by row, q to p");
+            now.matrix = m;
+        }
+        const double determinant = glm::determinant(Mat3(worldFromRest(now)));
+        if (!std::isfinite(determinant) || determinant == 0)
+            fail(view.place, "this placement flattens space and cannot be inverted" + atTime(t),
+                 result.matrix ? "write a matrix with a determinant other than 0" : "make every scale other than 0");
     }
-    const double determinant = glm::determinant(Mat3(worldFromRest(result)));
-    if (!std::isfinite(determinant) || determinant == 0)
-        fail(view.place, "this placement flattens space and cannot be inverted",
-             result.matrix ? "write a matrix with a determinant other than 0" : "make every scale other than 0");
     return result;
-}
-
-PiecewiseLinear SceneReader::piecewiseLinear(const JsonView& view) const {
-    PiecewiseLinear table;
-    table.points.reserve(view.value.size());
-    for (std::size_t i = 0; i < view.value.size(); ++i) {
-        const JsonView row = view[i];
-        table.points.emplace_back(number(row[0]), number(row[1]));
-        if (i > 0 && table.points[i].x < table.points[i - 1].x)
-            fail(row.place, "the table's values decrease here", "sort its rows by their first number");
-    }
-    return table;
-}
-
-ColorTable SceneReader::colorTable(const JsonView& view) const {
-    ColorTable table;
-    table.points.reserve(view.value.size());
-    for (std::size_t i = 0; i < view.value.size(); ++i) {
-        const JsonView row = view[i];
-        table.points.push_back({number(row[0]), {number(row[1]), number(row[2]), number(row[3])}});
-        if (i > 0 && table.points[i].value < table.points[i - 1].value)
-            fail(row.place, "the table's values decrease here", "sort its rows by their first number");
-    }
-    return table;
 }
 
 Appearance SceneReader::appearance(const JsonView& view) const {
@@ -119,11 +139,9 @@ Appearance SceneReader::appearance(const JsonView& view) const {
             known.push_back(one.name);
             list += (list.empty() ? "" : ", ") + one.name;
         }
-        if (std::find(known.begin(), known.end(), result.preset) == known.end()) {
-            const std::string nearest = nearestName(result.preset, known);
-            fail(preset.place, "there is no appearance preset " + described(preset.value),
-                 nearest.empty() ? "choose one of: " + list : "did you mean \"" + nearest + "\"?");
-        }
+        if (std::find(known.begin(), known.end(), result.preset) == known.end())
+            failUnknown(preset, "there is no appearance preset " + described(preset.value), known,
+                        "choose one of: " + list);
     }
     if (view.has("color")) result.color = colorTable(view["color"]);
     if (view.has("opacity")) result.opacity = piecewiseLinear(view["opacity"]);
@@ -131,18 +149,20 @@ Appearance SceneReader::appearance(const JsonView& view) const {
     return result;
 }
 
-Camera SceneReader::camera(const JsonView& view) const {
-    Camera camera{{0, -400, 80}, {0, 0, 0}, {0, 0, 1}, 30};
+TrackedCamera SceneReader::camera(const JsonView& view) const {
+    TrackedCamera camera(Camera{{0, -400, 80}, {0, 0, 0}, {0, 0, 1}, 30});
     if (view.has("eye")) camera.eye = vector(view["eye"]);
     if (view.has("target")) camera.target = vector(view["target"]);
     if (view.has("up")) camera.up = direction(view["up"]);
     if (view.has("fovY")) camera.fovY = number(view["fovY"]);
-    if (camera.eye == camera.target) fail(view.place, "the camera's eye and target are one point", "move one of them");
+    for (const double t : timesOf(camera.eye, camera.target))
+        if (camera.eye.at(t) == camera.target.at(t))
+            fail(view.place, "the camera's eye and target are one point" + atTime(t), "move one of them");
     return camera;
 }
 
-RenderSettings SceneReader::renderSettings(const JsonView& view) const {
-    RenderSettings settings;
+TrackedRender SceneReader::renderSettings(const JsonView& view) const {
+    TrackedRender settings;
     if (view.has("background")) settings.background = vector(view["background"]);
     if (view.has("step")) settings.step = number(view["step"]);
     if (view.has("shading")) settings.shading = view["shading"].value.get<bool>();
@@ -156,7 +176,7 @@ RenderSettings SceneReader::renderSettings(const JsonView& view) const {
 
 Timeline SceneReader::timeline(const JsonView& view) const {
     Timeline timeline;
-    if (view.has("fps")) timeline.fps = number(view["fps"]);
+    if (view.has("fps")) timeline.fps = view.value["fps"].get<double>();
     if (view.has("start")) timeline.start = view.value["start"].get<int>();
     if (view.has("end")) timeline.end = view.value["end"].get<int>();
     if (timeline.end <= timeline.start)

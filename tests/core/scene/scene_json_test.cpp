@@ -108,6 +108,28 @@ struct BadScene {
     std::string text, pointer, cause, remedy;
 };
 
+std::string sceneOfField(const std::string& field) {
+    return sceneWith(R"({"type": "fields", "opacity": )" + field + R"(, "color": [1, 1, 1]})");
+}
+std::string sceneOfShape(const std::string& shape) {
+    return sceneWith(R"({"type": "solid", "shape": )" + shape + R"(, "color": [1, 1, 1], "opacity": 1})");
+}
+/// o0 is a volume, every other object the union of two of the one before.
+std::string doublings(int n) {
+    std::string objects = R"("o0": )" + kVolume;
+    for (int i = 1; i < n; ++i) {
+        const std::string use = R"({"use": "o)" + std::to_string(i - 1) + "\"}";
+        objects += R"(, "o)" + std::to_string(i) + R"(": {"type": "union", "of": [)" + use + ", " + use + "]}";
+    }
+    return sceneWith(R"({"use": "o)" + std::to_string(n - 1) + "\"}", "\"objects\": {" + objects + "}, ");
+}
+/// `levels` objects within each other.
+std::string nested(int levels) {
+    std::string text;
+    for (int i = 0; i < levels; ++i) text += R"({"type": "place", "of": )";
+    return sceneWith(text + kVolume + std::string(std::size_t(levels), '}'));
+}
+
 std::vector<BadScene> badScenes() {
     const std::string tooDeep = [] {
         std::string objects;
@@ -171,26 +193,76 @@ std::vector<BadScene> badScenes() {
         {sceneWith(kVolume, R"("timeline": {"start": 10, "end": 10}, )"), "/timeline", "not after its start",
          "exclusive"},
         // Types of the contract that this version has not built.
-        {sceneWith(R"({"type": "solid", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "color": [1, 1, 1],
-                       "opacity": 1})"),
-         "/root", "\"solid\" are not built yet in this version", "use volume"},
-        {sceneWith(R"({"type": "union", "of": [)" + kVolume + ", " + kVolume + "]}"), "/root",
-         "\"union\" are not built yet", ""},
-        {transferBy(R"({"type": "twist", "axis": "z", "angle": 30})"), "/root/by/type", "\"twist\" are not built yet",
-         "affine or ffd"},
-        {transferBy(R"({"type": {"file": "ripple.stf"}})"), "/root/by/type", "formula files are not built yet", ""},
+        {sceneWith(R"({"type": "images", "asset": "h"})"), "/root", "\"images\" are not built yet in this version", ""},
+        {transferBy(R"({"type": "skeleton", "skeleton": {"motion": "h"}, "limb": "arm"})"), "/root/by/type",
+         "\"skeleton\" are not built yet", ""},
+        // Names.
         {transferBy(R"({"type": "fdd"})"), "/root/by/type", "no type of transfer that voledit knows",
          "did you mean \"ffd\"?"},
-        {sceneWith(kVolume, R"("displacements": {"d": {"type": "of", "transfer": {"type": "ffd"}}}, )"),
-         "/displacements/d", "displacements are not built yet", ""},
-        {sceneWith(R"({"type": "volume", "asset": "h", "interpolation": "cubic"})"), "/root/interpolation",
-         "\"cubic\" are not built yet", "\"linear\""},
-        {sceneWith(kVolume, R"("opacityDistance": {"keys": [[0, 1]]}, )"), "/opacityDistance",
-         "tracks are not built yet", "plain value"},
-        {transferBy(R"({"type": "ffd", "move": [{"point": [0, 0, 0], "by": {"keys": [[0, [1, 2, 3]]]}}]})"),
-         "/root/by/move/0/by", "tracks are not built yet", ""},
-        {transferBy(R"({"type": "ffd", "move": [{"point": [0, 0, 0], "by": [1, {"keys": [[0, 3]]}, 0]}]})"),
-         "/root/by/move/0/by/1", "tracks are not built yet", ""},
+        {transferBy(R"({"type": "twits"})"), "/root/by/type", "no type of transfer", "did you mean \"twist\"?"},
+        {transferBy(R"({"type": "wibblywobbly"})"), "/root/by/type", "no type of transfer", "use one of: expression"},
+        {sceneWith(R"({"type": "displace", "by": {"use": "d"}, "of": )" + kVolume + "}"), "/root/by/use",
+         "no displacement \"d\"", "define it in `displacements`"},
+        {sceneOfField(R"({"component": "x", "of": {"use": "s"}})"), "/root/opacity/of/use", "no transfer \"s\"", ""},
+        {sceneOfField(R"({"asset": "g"})"), "/root/opacity/asset", "no asset \"g\"", "did you mean \"h\"?"},
+        {transferBy(R"({"type": "fields", "asset": "g"})"), "/root/by/asset", "no asset \"g\"", ""},
+        // Circles through everything that holds something else.
+        {sceneWith(kVolume, R"("objects": {"a": {"type": "fields", "opacity": {"attribute": "x", "of": {"type": "union",
+             "of": [{"use": "b"}, {"use": "b"}]}}, "color": [0, 0, 0]}, "b": {"use": "a"}}, )"),
+         "/objects/a", "a cycle: it uses itself (a → b → a)", ""},
+        {sceneWith(kVolume, R"("transfers": {"s": {"type": "fields", "x": {"component": "x", "of": {"use": "t"}},
+             "y": 0, "z": 0}, "t": {"type": "sequence", "of": [{"type": "affine"}, {"use": "s"}]}}, )"),
+         "/transfers/s", "a cycle: it uses itself (s → t → s)", ""},
+        {sceneWith(kVolume, R"("displacements": {"d": {"type": "scale", "by": {"attribute": "opacity", "of":
+             {"use": "o"}}, "of": {"type": "of", "transfer": {"type": "affine"}}}}, "objects": {"o": {"type": "displace",
+             "by": {"type": "sum", "of": [{"use": "d"}]}, "of": )" +
+                                kVolume + "}}, "),
+         "/displacements/d", "a cycle: it uses itself (d → o → d)", ""},
+        {doublings(30), "/objects/o1", "more than 100000 nodes", "less often"},
+        // Tracks.
+        {sceneWith(kVolume, R"("opacityDistance": {"keys": [[1, 1], [0, 2]]}, )"), "/opacityDistance/keys/1/0",
+         "found 0 after 1", "order"},
+        {sceneWith(kVolume, R"("opacityDistance": {"keys": [[0, 1], [1, 0]]}, )"), "/opacityDistance/keys/1/1",
+         "expected a number above 0", ""},
+        {transferBy(R"({"type": "mapped", "points": {"keys": [[0, [[0, 0, 0]]], [1, []]]}, "source": [[0, 0, 0]],
+             "cells": []})"),
+         "/root/by/points/keys/1/1", "has 0 numbers, the first key's 3", "one length"},
+        {transferBy(R"({"type": "ffd", "control": {"keys": [[0, [[0, 0, 0]]]]}})"), "/root/by/control",
+         "found a list of 1", "every control point"},
+        {transferBy(R"({"type": "affine", "scale": {"keys": [[0, 1], [2.5, 0]]}})"), "/root/by", "flattens space",
+         "scale"},
+        {transferBy(R"({"type": "ffd", "frame": {"min": [0, {"keys": [[0, 0], [3, 1]]}, 0], "max": [1, 1, 1]}})"),
+         "/root/by/frame", "not above its min along y at 3 s", ""},
+        {sceneWith(kVolume, R"("camera": {"target": {"keys": [[0, [0, 0, 0]], [1, [0, -400, 80]]]}}, )"), "/camera",
+         "one point at 1 s", ""},
+        // Shapes and mapped cells.
+        {sceneOfShape(R"({"box": {"min": [0, 0, 0], "max": [1, 1, 0]}})"), "/root/shape/box", "along z", "size"},
+        {sceneOfShape(R"({"cylinder": {"from": [1, 0, 0], "to": [1, 0, 0], "radius": 1}})"), "/root/shape/cylinder",
+         "ends are one point", "move"},
+        {sceneOfShape(R"({"torus": {"center": [0, 0, 0], "axis": [0, 0, 0], "major": 2, "minor": 1}})"),
+         "/root/shape/torus/axis", "vector 0", ""},
+        {transferBy(R"({"type": "mapped", "points": [[0, 0, 0]], "source": [], "cells": []})"), "/root/by/source",
+         "0 vectors, `points` 1", ""},
+        {transferBy(R"({"type": "mapped", "points": [[0, 0, 0]], "source": [[0, 0, 0]],
+             "cells": [[0, 0, 0, 0, 0, 0, 0, 1]]})"),
+         "/root/by/cells/0/7", "vertex 1 of 1", "from 0"},
+        // Formula files' arguments.
+        {transferBy(R"({"type": {"file": "ripple.stf"}, "height": true})"), "/root/by/height", "expected a number", ""},
+        {transferBy(R"({"type": {"file": "ripple.stf"}, "height": [1]})"), "/root/by/height", "two or more", ""},
+        {transferBy(R"({"type": {"file": "ripple.stf"}, "along": "up"})"), "/root/by/along", "\"x\", \"y\", \"z\"", ""},
+        {transferBy(R"({"type": {"file": "/etc/ripple.stf"}})"), "/root/by/type/file", "absolute", "--allow-outside"},
+        // Formulas.
+        {sceneOfField(R"({"expression": "x + wobble"})"), "/root/opacity/expression", "wobble", ""},
+        {sceneOfField(R"({"expression": "x +"})"), "/root/opacity/expression", "", "^"},
+        {sceneOfShape(R"({"expression": {"d": "d"}})"), "/root/shape/expression/d", "'d' has no meaning", "^"},
+        {transferBy(R"({"type": "expression", "x": "a", "y": "y", "z": "x && y"})"), "/root/by/x", "'a' has no meaning", "^"},
+        {transferBy(R"({"type": "expression", "x": "x", "y": "y", "z": "z", "let": [["a", "b"]]})"), "/root/by/let/0/1",
+         "'b' has no meaning", "^"},
+        {sceneOfField(R"({"expression": ")" + std::string(1'000'000, '1') + R"("})"), "/root/opacity/expression",
+         "characters", ""},
+        {sceneOfField(R"({"expression": ")" + std::string(40'000, '(') + "x" + std::string(40'000, ')') + R"("})"),
+         "/root/opacity/expression", "deep", ""},
+        {nested(10'000), "/root/of/of", "deep", ""},
     };
 }
 
