@@ -131,7 +131,8 @@ private:
         }
     }
 
-    /// a^b: b a^(b−1) da + a^b ln(a) db. At a = 0 the first is 0 for b < 1, the second always.
+    /// a^b: b a^(b−1) da + a^b ln(a) db. At a = 0 the first is 0 for b < 1, the second always; and that is 0 where b
+    /// rests, since a negative number may have its whole powers.
     int ofPower(int n, int a, int b, int da, int db) {
         int first = kZero;
         if (da != kZero) {
@@ -140,7 +141,8 @@ private:
             first = chosen(steep, kZero, first);
         }
         if (db == kZero) return first;
-        return add(first, zeroWhereZero(a, multiply(multiply(n, g_.make(Op::Logarithm, a)), db)));
+        const int second = zeroWhereZero(a, multiply(multiply(n, g_.make(Op::Logarithm, a)), db));
+        return add(first, zeroWhereZero(db, second));
     }
 
     int ofNoise(const FormulaNode& node, const std::array<int, 3>& d) {

@@ -150,10 +150,11 @@ FormulaValue rotate(GraphBuilder& g, Arguments a) {
     FormulaValue result{.width = 3};
     for (int c = 0; c < 3; ++c) {
         const int next = (c + 1) % 3, last = (c + 2) % 3;
-        TermSum sum(g);
+        TermSum crossed(g), sum(g);
+        crossed.add({k.component(next), v.component(last)});
+        crossed.add({k.component(last), v.component(next)}, true);
         sum.add({v.component(c), cosine});
-        sum.add({k.component(next), v.component(last), sine});
-        sum.add({k.component(last), v.component(next), sine}, true);
+        sum.add({crossed.result(), sine});
         sum.add({k.component(c), part});
         result.node[static_cast<std::size_t>(c)] = sum.result();
     }
@@ -191,7 +192,7 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
     {"min", 2, kMany, "min(a, b, …)", "the smallest", folded<Op::Minimum>, "a"},
     {"mix", 3, 3, "mix(a, b, w)", "a * (1 - w) + b * w", mix, "a"},
     {"mod", 2, 2, "mod(x, y)", "x - y * floor(x / y)", binary<Op::Modulo>, "a"},
-    {"noise", 1, 3, "noise(x, y, z) or noise(v)", "smooth gradient noise, within ±1.04, 0 at whole numbers", noiseValue,
+    {"noise", 1, 3, "noise(x, y, z) or noise(v)", "smooth gradient noise, within ±1.05, 0 at whole numbers", noiseValue,
      ""},
     {"normalize", 1, 1, "normalize(v)", "v / length(v); NaN for the zero vector", normalize, "v"},
     {"pow", 2, 2, "pow(x, y)", "x to the power of y, as x ^ y", binary<Op::Power>, "a"},

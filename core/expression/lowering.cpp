@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace voledit {
 
@@ -161,13 +162,14 @@ private:
         }
         std::sort(names.begin(), names.end());
         std::string all;
-        std::pair<std::size_t, std::string> nearest{3, ""};
+        std::tuple<std::size_t, std::size_t, std::string> nearest{3, 0, ""};  // distance, length, name
         for (const std::string& known : names) {
             all += (all.empty() ? "" : ", ") + known;
             const std::size_t distance = editDistance(name, known);
-            if (distance < std::max<std::size_t>(known.size(), 2)) nearest = std::min(nearest, {distance, known});
+            if (distance < std::max<std::size_t>(known.size(), 2))
+                nearest = std::min(nearest, {distance, known.size(), known});
         }
-        if (nearest.first < 3) return "did you mean '" + nearest.second + "'?";
+        if (std::get<0>(nearest) < 3) return "did you mean '" + std::get<2>(nearest) + "'?";
         constexpr std::size_t kLongest = 400;
         if (all.size() > kLongest) all = all.substr(0, all.rfind(',', kLongest)) + ", …";
         return (call ? "there are " : "the names here are ") + all;
