@@ -67,6 +67,50 @@ TEST(CellOverlap, AWedgeWithVerticesTwiceIsNoFold) {
     EXPECT_FALSE(cellsMayOverlap(MappedCells(std::move(data))));
 }
 
+/// Tetrahedra of the corner at the origin of size 1 and of others, by their points.
+MappedCells tetrahedraOf(std::vector<Vec3> points, std::vector<std::array<std::uint32_t, 4>> tetrahedra) {
+    MappedCells::Data data;
+    data.source = points;
+    data.deformed = std::move(points);
+    data.tetrahedra = std::move(tetrahedra);
+    return MappedCells(std::move(data));
+}
+
+TEST(CellOverlap, TetrahedraLieApartOnTheTwoSidesOfAFace) {
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {0.1, 0.1, 0.1}};
+    for (const auto& second : {std::array<std::uint32_t, 4>{4, 1, 2, 3}, std::array<std::uint32_t, 4>{1, 4, 2, 3}})
+        EXPECT_FALSE(cellsMayOverlap(tetrahedraOf(points, {{0, 1, 2, 3}, second})));
+    EXPECT_TRUE(cellsMayOverlap(tetrahedraOf(points, {{0, 1, 2, 3}, {5, 1, 2, 3}}))) << "both on one side";
+    EXPECT_TRUE(cellsMayOverlap(tetrahedraOf(points, {{0, 1, 2, 3}, {4, 1, 2, 3}, {4, 1, 2, 3}}))) << "one twice";
+}
+
+TEST(CellOverlap, SeparateTetrahedraOverlapWhereTheyMeet) {
+    std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const auto second = [&](const Vec3& corner, double size) {
+        auto both = points;
+        for (const Vec3& p : points) both.push_back(corner + size * p);
+        return tetrahedraOf(std::move(both), {{0, 1, 2, 3}, {4, 5, 6, 7}});
+    };
+    EXPECT_FALSE(cellsMayOverlap(second({0.5, 0.5, 0.5}, 1)));
+    EXPECT_TRUE(cellsMayOverlap(second({0.3, 0.2, 0.1}, 1)));
+    EXPECT_TRUE(cellsMayOverlap(second({0.1, 0.1, 0.1}, 0.2))) << "one within the other";
+}
+
+TEST(CellOverlap, HostileHeapsOfCellsTakeNoLongTime) {
+    // 30000 needles through one place, none touching another's in exact arithmetic or not: nobody may try all pairs.
+    std::vector<Vec3> points;
+    std::vector<std::array<std::uint32_t, 4>> needles;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> at(-1, 1);
+    for (std::uint32_t n = 0; n < 30000; ++n) {
+        const Vec3 end(at(random), at(random), at(random)), start = Vec3(1e-3 * at(random)) - end;
+        const std::uint32_t v = std::uint32_t(points.size());
+        points.insert(points.end(), {start, end, end + Vec3(0, 1e-9, 0), end + Vec3(0, 0, 1e-9)});
+        needles.push_back({v, v + 1, v + 2, v + 3});
+    }
+    EXPECT_TRUE(cellsMayOverlap(tetrahedraOf(std::move(points), std::move(needles))));
+}
+
 TEST(CellOverlap, NoPointOfCellsDeclaredApartHasTwoPreImages) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0, 1);
