@@ -22,14 +22,31 @@ bool anyWithin(const SharedValue<Node>& node) {
     return any;
 }
 
-template <class Value>
-void fix(Value& value, double t) {
+/// Tables stay tables: a value that tracks carry below the one before is held up to it.
+void holdUp(PiecewiseLinear& table) {
+    for (std::size_t i = 1; i < table.points.size(); ++i)
+        table.points[i].x = std::max(table.points[i].x, table.points[i - 1].x);
+}
+void holdUp(ColorTable& table) {
+    for (std::size_t i = 1; i < table.points.size(); ++i)
+        table.points[i].value = std::max(table.points[i].value, table.points[i - 1].value);
+}
+
+template <class T>
+void fix(Tracked<T>& value, double t) {
+    if (!value.animated()) return;
+    T now = value.at(t);
+    if constexpr (std::is_same_v<T, PiecewiseLinear> || std::is_same_v<T, ColorTable>) holdUp(now);
+    value = std::move(now);
+}
+void fix(TrackedFrame& value, double t) {
     if (value.animated()) value = value.at(t);
 }
 
 template <class Node>
 SharedValue<Node> nodeAt(const SharedValue<Node>& node, double t) {
-    SharedValue<Node> result = withChildren(node, [t](const auto& child) { return nodeAt(child, t); });
+    SharedValue<Node> result =
+        withChildren(node, [t](const ChildStep&, const auto& child) { return nodeAt(child, t); });
     if (!hasTracks(*node)) return result;
     visitTracked(result.edit(), [t](auto& value) { fix(value, t); });
     if constexpr (std::is_same_v<Node, Transfer>) {

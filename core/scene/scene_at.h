@@ -9,8 +9,8 @@ namespace voledit {
 bool animated(const Scene& scene);
 
 /// The scene at t seconds, an ordinary scene without tracks: every tracked value is its value then. Random access.
-/// What has no tracks stays shared with `scene`; one without any is returned as it is. An `amount` that a smooth track
-/// carries beyond 0 … 1 is held there.
+/// What has no tracks stays shared with `scene`; one without any is returned as it is. What tracks may carry out of its
+/// range is held there: an `amount` in 0 … 1, a table's values not below the ones before.
 Scene sceneAt(const Scene& scene, double t);
 
 }  // namespace voledit

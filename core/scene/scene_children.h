@@ -193,15 +193,15 @@ void visitTrackedSettings(SceneType& scene, const Visit& visit) {
 
 // ---- Changing what is shared --------------------------------------------------------------------------------------
 
-/// `node` with every node directly within replaced by what change(child) gives (the same type); `node` itself, shared,
-/// where that is what was there (by `sharesWith`) everywhere.
+/// `node` with every node directly within replaced by what change(step, child) gives (the same type); `node` itself,
+/// shared, where that is what was there (by `sharesWith`) everywhere.
 template <class Node, class Change>
 SharedValue<Node> withChildren(const SharedValue<Node>& node, const Change& change) {
     SharedValue<Node> result = node;
     std::size_t n = 0;
-    visitChildren(*node, [&](const ChildStep&, const auto& child) {
+    visitChildren(*node, [&](const ChildStep& step, const auto& child) {
         const std::size_t mine = n++;
-        const auto changed = change(child);
+        const auto changed = change(step, child);
         if (changed.sharesWith(child)) return;
         std::size_t at = 0;
         visitChildren(result.edit(), [&](const ChildStep&, auto& slot) {
@@ -211,6 +211,25 @@ SharedValue<Node> withChildren(const SharedValue<Node>& node, const Change& chan
         });
     });
     return result;
+}
+
+/// The tree at `node` with every node for which change(node) gives another (an optional of its type) replaced by it; an
+/// inner one before the outer one that holds it. What nothing changes in stays shared.
+template <class Node, class Change>
+SharedValue<Node> rewritten(const SharedValue<Node>& node, const Change& change) {
+    const auto within =
+        withChildren(node, [&](const ChildStep&, const auto& child) { return rewritten(child, change); });
+    if (auto replacement = change(*within)) return SharedValue<Node>(std::move(*replacement));
+    return within;
+}
+
+/// The same for all of a scene.
+template <class Change>
+void rewriteNodes(Scene& scene, const Change& change) {
+    scene.root = rewritten(scene.root, change);
+    for (auto& [name, object] : scene.objects) object = rewritten(object, change);
+    for (auto& [name, transfer] : scene.transfers) transfer = rewritten(transfer, change);
+    for (auto& [name, displacement] : scene.displacements) displacement = rewritten(displacement, change);
 }
 
 }  // namespace voledit

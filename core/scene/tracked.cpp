@@ -133,4 +133,18 @@ std::vector<double> withTracksAt(std::vector<double> numbers, const std::vector<
     return numbers;
 }
 
+void setKeysAt(std::vector<PartTrack>& tracks, const std::vector<double>& numbers, double t) {
+    for (auto& [part, track] : tracks) {
+        const auto first = numbers.begin() + std::max(part, 0);
+        const auto count = part == PartTrack::kWhole ? numbers.size() : track.keys[0].value.size();
+        const std::vector<double> value(first, first + std::ptrdiff_t(count));
+        const auto at = std::lower_bound(track.keys.begin(), track.keys.end(), t,
+                                         [](const Track::Key& key, double time) { return key.time < time; });
+        if (at != track.keys.end() && at->time == t)
+            at->value = value;
+        else
+            track.keys.insert(at, {t, value});
+    }
+}
+
 }  // namespace voledit

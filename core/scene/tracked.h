@@ -2,6 +2,7 @@
 // Values that may change over time: tracks of keys (scene-format.md §1, Tracks; definitions.md §5).
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -61,6 +62,9 @@ void setNumbers(ColorTable& value, std::span<const double> numbers);
 /// `numbers` with what `tracks` say at t seconds in its place.
 std::vector<double> withTracksAt(std::vector<double> numbers, const std::vector<PartTrack>& tracks, double t);
 
+/// Puts `numbers` into the keys at t seconds of every track: those there are, or new ones.
+void setKeysAt(std::vector<PartTrack>& tracks, const std::vector<double>& numbers, double t);
+
 /// A T that may have tracks. Reads as a T; assigning a T drops its tracks. Copies share the tracks.
 template <class T>
 class Tracked {
@@ -86,6 +90,13 @@ public:
     void setTracks(std::vector<PartTrack> tracks) {
         if (!tracks.empty()) setNumbers(value_, withTracksAt(numbersOf(value_), tracks, -kInfinity));
         tracks_ = tracks.empty() ? nullptr : std::make_shared<const std::vector<PartTrack>>(std::move(tracks));
+    }
+    /// The value from now on; with a time and tracks, only at the key of that time, which is made if need be.
+    void set(T value, std::optional<double> time) {
+        std::vector<PartTrack> changed = time ? tracks() : std::vector<PartTrack>{};
+        if (time) setKeysAt(changed, numbersOf(value), *time);
+        value_ = std::move(value);
+        setTracks(std::move(changed));
     }
     /// The value at t seconds.
     T at(double t) const {
