@@ -33,8 +33,8 @@ struct CompiledScene::Cache {
 // ---- Compiler: the frame that all kinds of nodes share
 // ---------------------------------------------------------------
 
-Compiler::At::At(Compiler& compiler, std::string pointer)
-    : compiler_(compiler), before_(std::move(pointer)), exceptions_(std::uncaught_exceptions()) {
+Compiler::At::At(Compiler& compiler, NodePath path)
+    : compiler_(compiler), before_(std::move(path)), exceptions_(std::uncaught_exceptions()) {
     compiler_.at_.swap(before_);
 }
 
@@ -56,17 +56,6 @@ TermPtr Compiler::root() {
     } catch (const Error& error) {
         throw Error(abridged(failedAt_) + ": " + error.what());
     }
-}
-
-std::string pointerTo(const std::string& pointer, const std::string& member) {
-    std::string result = pointer + "/";
-    for (const char c : member) {
-        if (c == '~' || c == '/')
-            result += c == '~' ? "~0" : "~1";
-        else
-            result += c;
-    }
-    return result;
 }
 
 void Compiler::count(const void* piece, const PieceKey& key) {

@@ -14,7 +14,7 @@ TransferPtr Compiler::made(const DisplacementUse& use, const Box3* box) {
     const auto found = in_.scene.displacements.find(use.name);
     if (found == in_.scene.displacements.end())
         throw Error("use of \"" + use.name + "\"", "the scene has no such displacement", "name one of `displacements`");
-    const At at(*this, pointerTo("/displacements", use.name));
+    const At at(*this, displacementPath(use.name));
     if (!displacements_.insert(use.name).second)
         throw Error("displacement \"" + use.name + "\"", "it uses itself", "break the cycle");
     TransferPtr used = displacement(*found->second, box);

@@ -69,7 +69,7 @@ TermPtr Compiler::compiled(const ObjectUse& use) {
     const auto found = in_.scene.objects.find(use.name);
     if (found == in_.scene.objects.end())
         throw Error("use of \"" + use.name + "\"", "the scene has no such object", "name one of `objects`");
-    const At at(*this, pointerTo("/objects", use.name));
+    const At at(*this, objectPath(use.name));
     objects_[use.name] = nullptr;
     return objects_[use.name] = object(*found->second);
 }
@@ -113,7 +113,7 @@ TermPtr Compiler::compiled(const FieldsObject& object) {
         fields.color[c] = field(*object.color[c]);
     }
     for (const auto& [name, attribute] : object.attributes) {
-        const At at(*this, pointerTo(at_, name));
+        const At at(*this, at_ + "/" + pointerToken(name));
         fields.attributes.emplace(name, field(*attribute));
     }
     fields.box = object.bounds;

@@ -54,7 +54,7 @@ Compiler::Maps Compiler::maps(const Transfer& transfer, const Box3* box) {
         const auto found = in_.scene.transfers.find(use->name);
         if (found == in_.scene.transfers.end())
             throw Error("use of \"" + use->name + "\"", "the scene has no such transfer", "name one of `transfers`");
-        const At at(*this, pointerTo("/transfers", use->name));
+        const At at(*this, transferPath(use->name));
         if (!transfers_.insert(use->name).second)
             throw Error("transfer \"" + use->name + "\"", "it uses itself", "break the cycle");
         const Maps used = maps(*found->second, box);

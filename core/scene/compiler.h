@@ -9,11 +9,12 @@
 
 #include "core/scene/compile.h"
 #include "core/scene/compiled_pieces.h"
+#include "core/scene/nodes.h"
 
 namespace voledit {
 
-/// Frames that transfers without one take, by the JSON pointer of the transfer.
-using DefaultFrames = std::map<std::string, Frame>;
+/// Frames that transfers without one take, by the transfer's path.
+using DefaultFrames = std::map<NodePath, Frame>;
 
 /// A map, and what is odd about it.
 struct WarnedMap {
@@ -117,10 +118,10 @@ private:
         return readsTime ? in_.time : 0;
     }
 
-    /// Where the walk is, as a JSON pointer, while it lives.
+    /// Where the walk is, while it lives.
     class At {
     public:
-        At(Compiler& compiler, std::string pointer);
+        At(Compiler& compiler, NodePath path);
         At(Compiler& compiler, const char* member) : At(compiler, compiler.at_ + "/" + member) {}
         At(Compiler& compiler, const char* member, std::size_t index);
         ~At();
@@ -129,13 +130,13 @@ private:
 
     private:
         Compiler& compiler_;
-        std::string before_;
+        NodePath before_;
         int exceptions_;
     };
 
     Inputs in_;
     std::shared_ptr<Pieces> made_;
-    std::string at_, failedAt_;
+    NodePath at_, failedAt_;
     std::map<std::string, TermPtr> objects_;           // null while being compiled
     std::set<std::string> transfers_, displacements_;  // names being compiled
     std::unordered_map<const void*, std::size_t> nodes_;
@@ -153,9 +154,6 @@ std::shared_ptr<const T> Compiler::piece(const PieceKey& key, const Make& make) 
     count(found.get(), key);
     return found;
 }
-
-/// Appends a member to a JSON pointer: as `memberOf`, but never abridged, so that it tells long names apart.
-std::string pointerTo(const std::string& pointer, const std::string& member);
 
 /// Whether a formula reads `t`.
 bool formulaReadsTime(const std::string& formula);

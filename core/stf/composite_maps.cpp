@@ -5,7 +5,10 @@
 #include <glm/matrix.hpp>
 
 #include "core/fields/simple_fields.h"
+#include "core/stf/affine.h"
 #include "core/stf/displacement_image.h"
+#include "core/stf/field_maps.h"
+#include "core/stf/formula_map.h"
 
 namespace voledit {
 
@@ -51,6 +54,39 @@ std::optional<double> constantOf(const ScalarField& field) {
 bool isEmpty(const Interval& interval) {
     return !(interval.low <= interval.high);
 }
+
+/// Where the maps that a displacement is made of would each take a box. (Not their imageOf: that of each level would
+/// search again for all levels below it.)
+class LikelyImage final : public TransferVisitor {
+public:
+    LikelyImage(const SpatialTransferFunction& map, const Box3& rest) : rest_(rest) { map.accept(*this); }
+    const Box3& box() const { return box_; }
+
+    void visit(const AffineMap& map) override { add(map); }
+    void visit(const FormulaMap& map) override { add(map); }
+    void visit(const FieldsMap& map) override { add(map); }
+    void visit(const SequenceMap& map) override { add(map); }
+    void visit(const ScaledMap& map) override { map.of()->accept(*this); }
+    void visit(const SumMap& map) override { visitAll(map.of()); }
+    void visit(const ChosenMap& map) override { visitAll(map.of()); }
+    void visit(const BlendedMap& map) override {
+        map.first()->accept(*this);
+        map.second()->accept(*this);
+    }
+    void visitCells(const SpatialTransferFunction& map) override { add(map); }
+
+private:
+    template <class Map>
+    void add(const Map& map) {
+        box_ = join(box_, map.imageOf(rest_));
+    }
+    void visitAll(const std::vector<TransferPtr>& maps) {
+        for (const TransferPtr& map : maps) map->accept(*this);
+    }
+
+    const Box3& rest_;
+    Box3 box_;
+};
 
 }  // namespace
 
@@ -138,9 +174,8 @@ void ScaledMap::jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) cons
 Box3 ScaledMap::imageOf(const Box3& rest) const {
     const auto k = constantOf(*by_);
     if (k == 0.0) return rest;
-    const Box3 full = of_->imageOf(rest);
-    if (k == 1.0) return full;
-    return imageByDisplacement(*this, rest, full);
+    if (k == 1.0) return of_->imageOf(rest);
+    return imageByDisplacement(*this, rest, LikelyImage(*this, rest).box());
 }
 
 bool ScaledMap::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
@@ -192,9 +227,7 @@ void SumMap::jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) const {
 
 Box3 SumMap::imageOf(const Box3& rest) const {
     if (of_.size() == 1) return of_[0]->imageOf(rest);
-    Box3 likely;
-    for (const TransferPtr& operand : of_) likely = join(likely, operand->imageOf(rest));
-    return imageByDisplacement(*this, rest, likely);
+    return imageByDisplacement(*this, rest, LikelyImage(*this, rest).box());
 }
 
 bool SumMap::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
@@ -325,7 +358,7 @@ Box3 BlendedMap::imageOf(const Box3& rest) const {
     const auto w = constantOf(*weight_);
     if (w == 0.0) return first_->imageOf(rest);
     if (w == 1.0) return second_->imageOf(rest);
-    return imageByDisplacement(*this, rest, join(first_->imageOf(rest), second_->imageOf(rest)));
+    return imageByDisplacement(*this, rest, LikelyImage(*this, rest).box());
 }
 
 bool BlendedMap::anySourceBox(const Box3& box, const std::function<bool(const Box3&)>& found) const {
