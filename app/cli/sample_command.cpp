@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "core/eval/term_path.h"
 
 namespace voledit {
 
@@ -55,15 +56,10 @@ Json sampleFile(MeshFile file, const std::vector<Vec3>& points) {
     return samplesOf(points, values);
 }
 
-/// The point on its way from deformed to undeformed space: after each STF, the outermost first.
-Json pathOf(const Term& root, Vec3 p) {
+Json pathOf(const Term& root, const Vec3& p) {
     Json path = Json::array();
-    const Term* term = &root;
-    while (const auto* transfer = std::get_if<TransferTerm>(&term->node)) {
-        transfer->by->map({&p, 1}, {&p, 1});
-        if (transfer->role != TransferRole::Place) path.push_back({{"name", transfer->name}, {"point", toJson(p)}});
-        term = transfer->of.get();
-    }
+    for (const PathPoint& entry : pathThrough(root, p))
+        path.push_back({{"name", entry.name}, {"point", toJson(entry.point)}});
     return path;
 }
 
@@ -74,7 +70,7 @@ Json sampleScene(const CompiledScene& scene, const std::vector<Vec3>& points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         samples.push_back({{"at", toJson(points[i])},
                            {"opacity", found[i].opacity},
-                           {"color", toJson(found[i].color)},
+                           {"color", toJson(found[i].opacity > 0 ? found[i].color : Vec3(0))},
                            {"path", pathOf(*scene.root, points[i])}});
     return samples;
 }

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
 #include "core/base/error.h"
+#include "core/eval/term_path.h"
 #include "core/eval/voxelise.h"
 
 namespace voledit {
@@ -26,11 +27,11 @@ VoxeliseWhat whatNamed(const std::string& name) {
     throw UsageError("--what " + name + ": there are scalar, opacity, rgba and displacement");
 }
 
-/// The only volume of a term; null where there is none.
-const Volume* volumeOf(const Term& term) {
-    if (const auto* volume = std::get_if<VolumeTerm>(&term.node)) return volume->volume.get();
-    if (const auto* transfer = std::get_if<TransferTerm>(&term.node)) return volumeOf(*transfer->of);
-    return nullptr;
+/// The number type of the one volume of a term; float for a mesh.
+VoxelType sourceType(const Term& root) {
+    const Term* source = oneSourceOf(root);
+    const auto* volume = source ? std::get_if<VolumeTerm>(&source->node) : nullptr;
+    return volume ? volume->volume->type() : VoxelType::Float;
 }
 
 VolumeGrid gridOver(const VoxelizeArguments& a, const CompiledScene& scene) {
@@ -92,8 +93,7 @@ int voxelize(const VoxelizeArguments& a, const CommonArguments& common) {
     IoClient io;
     const OpenedScene opened = open(io, a.input, common);
     const CompiledScene scene = compileAt(opened, a.input, a.time);
-    if (a.type.empty() && request.what == VoxeliseWhat::Scalar)
-        if (const Volume* volume = volumeOf(*scene.root)) request.type = volume->type();
+    if (a.type.empty() && request.what == VoxeliseWhat::Scalar) request.type = sourceType(*scene.root);
     InputArguments like;
     like.file = a.like;
     request.grid = a.like.empty() ? gridOver(a, scene) : readVolumeFile(io, like, common).volume->grid();

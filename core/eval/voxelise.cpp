@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/eval/term_path.h"
 #include "core/fields/voxel_type.h"
 
 namespace voledit {
@@ -30,21 +31,6 @@ T rounded(double value) {
     }
 }
 
-/// The outermost `transfer` of a scene: what `place` put over it, and its list of STFs, the outermost first.
-struct OutermostTransfer {
-    std::vector<const TransferTerm*> places, list;
-};
-
-OutermostTransfer outermostTransfer(const Term& root) {
-    OutermostTransfer result;
-    for (const Term* term = &root;;) {
-        const auto* transfer = std::get_if<TransferTerm>(&term->node);
-        if (!transfer || (!result.list.empty() && transfer->role != TransferRole::SameList)) return result;
-        (transfer->role == TransferRole::Place ? result.places : result.list).push_back(transfer);
-        term = transfer->of.get();
-    }
-}
-
 /// Values of grid samples, `channels` for each point, as doubles.
 class Evaluator {
 public:
@@ -52,13 +38,14 @@ public:
         : root_(*scene.root), request_(request), outermost_(outermostTransfer(root_)) {
         if (request.what == VoxeliseWhat::Displacement && outermost_.list.empty())
             throw Error("voxelize --what displacement", "the scene's root holds no transfer",
-                        "add one, or ask for scalar, opacity or rgba");
+                        "add one outside of any union, intersection or other operator, or ask for scalar, opacity or "
+                        "rgba");
     }
 
     void operator()(std::span<const Vec3> p, std::span<double> values) const {
         if (request_.what == VoxeliseWhat::Displacement) return displacement(p, values);
         std::vector<ObjectSample> samples(p.size());
-        sample(root_, p, samples, false);
+        sample(root_, p, samples, false, request_.what == VoxeliseWhat::Scalar ? "scalar" : "");
         for (std::size_t i = 0; i < p.size(); ++i) {
             const ObjectSample& s = samples[i];
             if (request_.what == VoxeliseWhat::Scalar) {
@@ -66,17 +53,17 @@ public:
             } else if (request_.what == VoxeliseWhat::Opacity) {
                 values[i] = s.opacity;
             } else {
-                for (std::size_t c = 0; c < 3; ++c) values[4 * i + c] = s.color[int(c)];
+                for (std::size_t c = 0; c < 3; ++c) values[4 * i + c] = s.opacity > 0 ? s.color[int(c)] : 0;
                 values[4 * i + 3] = s.opacity;
             }
         }
     }
 
 private:
-    /// In the transfer's own space: a `place` above it carries p there first.
+    /// In the transfer's own space: what stands above it carries p there first.
     void displacement(std::span<const Vec3> p, std::span<double> values) const {
         std::vector<Vec3> start(p.begin(), p.end());
-        for (const TransferTerm* place : outermost_.places) place->by->map(start, start);
+        for (const TransferTerm* above : outermost_.above) above->by->map(start, start);
         std::vector<Vec3> q = start;
         for (const TransferTerm* transfer : outermost_.list) transfer->by->map(q, q);
         for (std::size_t i = 0; i < p.size(); ++i)
@@ -114,17 +101,11 @@ std::shared_ptr<const Volume> evaluated(const VolumeGrid& grid, const Evaluator&
     return Volume::fromValues(grid, std::move(result));
 }
 
-bool hasOneVolume(const Term& root) {
-    const Term* term = &root;
-    while (const auto* transfer = std::get_if<TransferTerm>(&term->node)) term = transfer->of.get();
-    return std::holds_alternative<VolumeTerm>(term->node);
-}
-
 }  // namespace
 
 std::shared_ptr<const Volume> voxelise(const CompiledScene& scene, const VoxeliseRequest& request, Progress* progress) {
-    if (request.what == VoxeliseWhat::Scalar && !hasOneVolume(*scene.root))
-        throw Error("voxelize --what scalar", "the scene's root is not one volume", "ask for opacity or rgba");
+    if (request.what == VoxeliseWhat::Scalar && !oneSourceOf(*scene.root))
+        throw Error("voxelize --what scalar", "the scene's root is not one volume or mesh", "ask for opacity or rgba");
     VolumeGrid grid = request.grid;
     grid.channels = channelsOf(request.what);
     const Evaluator evaluate(scene, request);

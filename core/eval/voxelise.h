@@ -17,10 +17,11 @@ struct VoxeliseRequest {
     double fill = 0;  // of a scalar where it is undefined or outside
 };
 
-/// One value a sample (scalar, opacity), four (rgba) or three (displacement: Ψ(p) − p of the outermost transfer's whole
-/// list, NaN where undefined). Scalar takes the pre-image of the largest opacity, the first cell on a tie
-/// (definitions.md §6). Integers are rounded to nearest and clamped to the type. In parallel, a slab at a time. Throws
-/// Cancelled, and Error where the root has no one volume (scalar) or no transfer (displacement).
+/// One value a sample (scalar, opacity), four (rgba; black where opacity is 0) or three (displacement: Ψ(p) − p of the
+/// outermost transfer's whole list, NaN where undefined). Scalar takes the pre-image of the largest opacity, the first
+/// cell on a tie (definitions.md §6). Integers are rounded to nearest and clamped to the type. In parallel, a slab at a
+/// time. Throws Cancelled, and Error where the root is not one volume or mesh, deformed or recoloured (scalar), or no
+/// transfer (displacement).
 std::shared_ptr<const Volume> voxelise(const CompiledScene& scene, const VoxeliseRequest& request,
                                        Progress* progress = nullptr);
 
