@@ -15,6 +15,7 @@ Command addVoxelizeCommand(CLI::App& command, const CommonArguments& common);
 Command addInfoCommand(CLI::App& command, const CommonArguments& common);
 Command addSampleCommand(CLI::App& command, const CommonArguments& common);
 Command addConvertCommand(CLI::App& command, const CommonArguments& common);
+Command addTransfersCommand(CLI::App& command, const CommonArguments& common);
 Command addEditCommand(CLI::App& command, const CommonArguments& common);
 Command addBenchCommand(CLI::App& command, const CommonArguments& common);
 

@@ -26,6 +26,7 @@ constexpr Description kCommands[] = {
     {"info", "Say what a volume or a scene holds", addInfoCommand},
     {"sample", "Values of a volume or a scene at points", addSampleCommand},
     {"convert", "Convert between volume formats", addConvertCommand},
+    {"transfers", "The library of deformations: their parameters and formulas", addTransfersCommand},
     {"edit", "Open the editor; with --headless drive it from recorded events", addEditCommand},
     {"bench", "The project's own measurements, as JSON", addBenchCommand},
 };
