@@ -9,12 +9,15 @@
 #include <new>
 #include <utility>
 
+#include "app/editor/add_actions.h"
 #include "app/editor/locate.h"
+#include "app/editor/node_actions.h"
 #include "app/editor/theme.h"
-#include "app/editor/tools/lattice_view.h"
+#include "app/editor/tools/node_overlay.h"
 #include "app/editor/tools/tool_actions.h"
 #include "core/base/error.h"
 #include "core/scene/edits.h"
+#include "core/scene/scene_at.h"
 
 namespace voledit {
 
@@ -90,6 +93,9 @@ Editor::Editor(const EditorSettings& settings, IoClient& io)
     addFileActions();
     addEditActions();
     addToolActions(workspace_.actions, workspace_, tools_);
+    addNodeActions(workspace_.actions, workspace_);
+    addAddActions(workspace_.actions, workspace_, [this] { files_.chooseFormulaFile(); });
+    addTimeActions();
     addViewActions();
     addLookActions();
 }
@@ -124,7 +130,8 @@ void Editor::frame(const FrameInput& input) {
     workspace_.clock += input.seconds;
 
     window_ = glm::max(input.size, Index2(1));
-    layout_ = layoutOf(window_, workspace_.scale);
+    animated_ = workspace_.open && animated(workspace_.document.scene());
+    layout_ = layoutOf(window_, workspace_.scale, animated_);
     workspace_.viewOrigin = layout_.view.origin;
     workspace_.viewSize = layout_.view.size;
     // Before what was loaded is taken over: Escape in the frame in which loading ended still stops it.
@@ -149,11 +156,16 @@ void Editor::frame(const FrameInput& input) {
     guarded([&] { dispatch(events); });
     if (input.close) guarded([&] { files_.quit(); });
     drawInterface();
-    tidySelection();
+    guarded([&] { settleSelection(workspace_); });
+    refreshFormulaFiles(false);
     compileScene();
     overlay_ = {};
     if (workspace_.open && workspace_.overlays)
-        guarded([&] { tools_.lattice().fillOverlay(toolContext(workspace_), overlay_); });
+        guarded([&] {
+            tools_.lattice().fillOverlay(toolContext(workspace_), overlay_);
+            appendNode(workspace_.document.scene(), workspace_.selection.node, workspace_.time, workspace_.scale,
+                       overlay_);
+        });
     ImGui::Render();
     widgets_.newFrame();
 }
@@ -233,6 +245,8 @@ void Editor::dispatchKey(Key key) {
 
 void Editor::runShortcut(const Chord& chord) {
     const Action* action = workspace_.actions.ofShortcut(chord);
+    // Blender's second key for it.
+    if (chord == Chord{Key::X}) action = workspace_.actions.find("node.delete");
     if (!action) {
         Chord plain = chord;
         plain.key = withoutKeypad(chord.key);
@@ -274,13 +288,19 @@ void Editor::drawnBy(const std::string& renderer, const std::string& slicesProbl
 
 // ---- What follows from the edits ----------------------------------------------------------------------------------
 
-void Editor::tidySelection() {
-    Selection& selection = workspace_.selection;
-    if (selection.empty()) return;
-    const auto view = latticeView(workspace_.document.scene(), &workspace_.compiled, activeLattice(workspace_));
-    if (!selection.lattice.empty() && (!view || view->name != selection.lattice)) selection = {};
-    const std::size_t count = view ? view->lattice.control.size() : 0;
-    std::erase_if(selection.points, [&](std::size_t point) { return point >= count; });
+// Once a change of the scene, and a few times a second for changes on disk.
+void Editor::refreshFormulaFiles(bool always) {
+    constexpr double kSecondsBetweenLooks = 0.3;
+    if (!workspace_.open) return;
+    const Scene& scene = workspace_.document.scene();
+    const bool changed = !filesOf_ || !(*filesOf_ == scene);
+    if (!always && !changed && workspace_.clock - filesLookedAt_ < kSecondsBetweenLooks) return;
+    if (changed) filesOf_ = scene;
+    filesLookedAt_ = workspace_.clock;
+    const auto news = workspace_.formulaFiles.refresh(scene, workspace_.folder, workspace_.assets, always);
+    for (const FormulaFiles::News& item : news)
+        workspace_.notify(item.problem ? Notice::Kind::Problem : Notice::Kind::Info, item.text);
+    if (!news.empty()) compiledFrom_.reset();
 }
 
 void Editor::compileScene() {
@@ -292,11 +312,11 @@ void Editor::compileScene() {
     const double aspect = double(workspace_.viewSize.x) / workspace_.viewSize.y;
     try {
         workspace_.compiled = compile(scene, workspace_.assets, workspace_.time, &workspace_.compiled, aspect);
-        compileProblem_.clear();
+        workspace_.problem.clear();
     } catch (const Error& error) {
         // The picture stays the last good one.
-        if (compileProblem_ != error.what()) workspace_.notify(Notice::Kind::Problem, error.what());
-        compileProblem_ = error.what();
+        if (workspace_.problem != error.what()) workspace_.notify(Notice::Kind::Problem, error.what());
+        workspace_.problem = error.what();
     }
 }
 

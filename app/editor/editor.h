@@ -98,12 +98,14 @@ private:
     void drawStatus();
     void drawShortcuts();
     void endGestures();
-    void tidySelection();
     void compileScene();
+    void refreshFormulaFiles(bool always);
+    void drawTimeBar();
     void addFileActions();
     void addEditActions();
     void addViewActions();
     void addLookActions();
+    void addTimeActions();
     std::string volumeLine() const;
 
     ImGuiContext* context_;
@@ -124,7 +126,9 @@ private:
     bool hovered_ = false;  // the mouse is over the viewport with nothing in front
     bool showShortcuts_ = false;
     std::optional<Scene> compiledFrom_;
-    std::string compileProblem_;  // of the last compilation, so that it is told once
+    std::optional<Scene> filesOf_;  // the scene whose formula files were looked at last, and when
+    double filesLookedAt_ = 0;
+    bool animated_ = false;  // the scene has tracks
 };
 
 }  // namespace voledit

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/add_menu.h"
 #include "app/editor/editor.h"
 #include "app/editor/icons.h"
 #include "app/editor/theme.h"
@@ -88,6 +89,8 @@ void Editor::drawInterface() {
     guarded([&] { drawViewport(); });
     guarded([&] { drawMenus(); });
     guarded([&] { drawPanels(); });
+    if (animated_) guarded([&] { drawTimeBar(); });
+    guarded([&] { drawAddPopup(workspace_); });
     guarded([&] { drawStatus(); });
     // Without overlays nothing may stand over the picture.
     const PixelRect& aside = workspace_.overlays || !workspace_.open ? layout_.view : layout_.panels;
@@ -152,7 +155,8 @@ void Editor::drawMenus() {
         menu(actions, "File",
              {"file.open", "-", "file.save", "file.save-as", "-", "file.screenshot", "-", "file.quit"});
         menu(actions, "Edit",
-             {"edit.undo", "edit.redo", "-", "select.all", "select.none", "select.invert", "select.box"});
+             {"edit.undo", "edit.redo", "-", "node.rename", "node.enable", "node.move-up", "node.move-down",
+              "node.delete", "-", "select.all", "select.none", "select.invert", "select.box"});
         menu(actions, "View",
              {"view.frame", "-", "view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom", "-",
               "view.overlays", "view.shading"},
@@ -166,6 +170,7 @@ void Editor::drawMenus() {
                  choiceMenu(actions, "Renderer", "view.renderer", kRenderers, rendererWord(workspace_.renderer));
                  choiceMenu(actions, "Interface size", "view.scale", kScales, scale.data());
              });
+        menu(actions, "Add", {}, [&] { drawAddMenu(workspace_); });
         menu(actions, "Lattice",
              {"lattice.add", "lattice.remove", "-", "lattice.enable", "lattice.reset", "-", "tool.grab"});
         menu(actions, "Volume", {}, [&] {
@@ -203,6 +208,35 @@ void Editor::drawPanels() {
         }
         ImGui::EndDisabled();
     }
+    ImGui::End();
+}
+
+void Editor::drawTimeBar() {
+    place(layout_.time);
+    const float height = float(layout_.time.size.y), scale = workspace_.scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    const float pad = std::floor(0.5f * (height - ImGui::GetFrameHeight()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10 * scale, std::max(0.0f, pad)));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(theme::kPanel));
+    ImGui::Begin("##time", nullptr, kFixed);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+    const WidgetScope scope("Timeline");
+    const Timeline& timeline = workspace_.document.scene().timeline;
+    const double start = timeline.start / timeline.fps, end = std::max(start, (timeline.end - 1) / timeline.fps);
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%.2f s   frame %.0f", workspace_.time,
+                  std::round(workspace_.time * timeline.fps));
+    const float label = ImGui::CalcTextSize("000.00 s   frame 0000").x + 8 * scale;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.data());
+    ImGui::SameLine(label + 10 * scale);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    NumberFormat format{start, std::max(end, start + 1e-3), 0, 2, " s"};
+    double time = workspace_.time;
+    if (ui::slider("##Time", time, format, "Time on the scene's clock (timeline.goto)").changed) workspace_.time = time;
+    noteWidget("Time");
     ImGui::End();
 }
 

@@ -40,6 +40,7 @@ void FileBrowser::show(Request request) {
     request_ = std::move(request);
     visible_ = opening_ = true;
     overwrite_.reset();
+    allFiles_ = false;
     std::error_code ignored;
     if (request_.folder.empty() || !fs::is_directory(request_.folder, ignored))
         request_.folder = fs::current_path(ignored);
@@ -50,7 +51,7 @@ void FileBrowser::show(Request request) {
 
 void FileBrowser::goTo(const fs::path& folder) {
     request_.folder = folder;
-    entries_ = listFolder(folder, onlyReadable_, problem_);
+    entries_ = listFolder(folder, shown(), problem_);
     marked_ = -1;
     const std::string name = request_.mode == Mode::Save ? fs::path(text_).filename().string() : "";
     setText(withSlash(folder) + name);
@@ -72,7 +73,7 @@ void FileBrowser::mark(int row) {
 
 int FileBrowser::onTextEvent(ImGuiInputTextCallbackData& data) {
     if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion)
-        setText(completed(std::string(data.Buf, std::size_t(data.BufTextLen)), request_.folder, onlyReadable_));
+        setText(completed(std::string(data.Buf, std::size_t(data.BufTextLen)), request_.folder, shown()));
     if (data.EventFlag == ImGuiInputTextFlags_CallbackHistory)
         mark(data.EventKey == ImGuiKey_UpArrow ? marked_ - 1 : marked_ + 1);
     if (!replaceText_) return 0;
@@ -150,9 +151,9 @@ void FileBrowser::drawPlaces() {
     place(icons::kFolder, "Whole disk", "/");
     ImGui::Dummy(ImVec2(0, ImGui::GetStyle().ItemSpacing.y));
     if (request_.mode == Mode::Save) return;
-    bool all = !onlyReadable_;
+    bool all = allFiles_;
     if (ui::checkbox("##All files", all, "Shows also files that voledit does not open by their ending").changed) {
-        onlyReadable_ = !all;
+        allFiles_ = all;
         goTo(request_.folder);
     }
     noteWidget("All files");

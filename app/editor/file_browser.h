@@ -23,8 +23,9 @@ public:
         std::string title;   // "Open", "Save as"
         std::string button;  // "Open", "Save"
         std::filesystem::path folder;
-        std::string name;    // proposed, when saving
-        std::string ending;  // added when saving under a name without one: ".voledit"
+        std::string name;                       // proposed, when saving
+        FileKinds kinds = FileKinds::Openable;  // shown at first
+        std::string ending;                     // added when saving under a name without one: ".voledit"
     };
 
     void show(Request request);
@@ -60,7 +61,8 @@ private:
     int marked_ = -1;  // row
     bool scrollToMark_ = false;
     bool wholeFolder_ = false;  // accept the folder itself
-    bool onlyReadable_ = true;
+    FileKinds shown() const { return allFiles_ ? FileKinds::All : request_.kinds; }
+    bool allFiles_ = false;
     std::optional<std::filesystem::path> overwrite_;  // exists: asked about
 };
 

@@ -73,6 +73,10 @@ void Files::screenshot(const fs::path& path) {
         screenshots_.push_back(path);
 }
 
+void Files::chooseFormulaFile() {
+    ask(Asking::FormulaFile);
+}
+
 void Files::quit() {
     afterUnsavedChanges([this] { quit_ = true; });
 }
@@ -97,6 +101,10 @@ void Files::ask(Asking what) {
     if (what == Asking::Open) {
         request.title = "Open";
         request.button = "Open";
+    } else if (what == Asking::FormulaFile) {
+        request.title = "Formula file";
+        request.button = "Add";
+        request.kinds = FileKinds::Formulas;
     } else {
         request.mode = FileBrowser::Mode::Save;
         request.title = what == Asking::SaveAs ? "Save as" : "Screenshot";
@@ -123,6 +131,8 @@ void Files::chosen(const fs::path& path) {
         case Asking::Screenshot:
             screenshots_.push_back(path);
             return;
+        case Asking::FormulaFile:
+            return workspace_.actions.run("transfer.add-file", path.string());
         case Asking::Nothing:
             return;
     }
@@ -168,6 +178,9 @@ void Files::takeOver(Loader::Result result) {
     workspace_.open = true;
     workspace_.document = Document(std::move(opened.scene), opened.path);
     workspace_.assets = std::move(opened.assets);
+    workspace_.formulaFiles = FormulaFiles(workspace_.formulaFiles.recent());
+    workspace_.tree = {};
+    workspace_.problem.clear();
     workspace_.folder = opened.folder;
     workspace_.selection = {};
     workspace_.camera = compiled.camera;

@@ -27,6 +27,8 @@ public:
     void save();
     /// Saves as a scene file; asks where `path` is empty. Throws Error.
     void saveAs(const std::filesystem::path& path);
+    /// Asks for a formula file and adds it: transfer.add-file.
+    void chooseFormulaFile();
     /// Wants a picture of the whole window in a PNG; asks where `path` is empty.
     void screenshot(const std::filesystem::path& path);
     /// Leaves, after having asked about unsaved changes.
@@ -48,7 +50,7 @@ public:
     std::vector<std::filesystem::path> takeScreenshots();
 
 private:
-    enum class Asking : unsigned char { Nothing, Open, SaveAs, Screenshot };
+    enum class Asking : unsigned char { Nothing, Open, SaveAs, Screenshot, FormulaFile };
     void ask(Asking what);
     void startLoading(const std::filesystem::path& path, bool allowOutside = false);
     void takeOver(Loader::Result result);

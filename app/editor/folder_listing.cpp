@@ -20,7 +20,9 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-bool isReadable(const fs::path& path) {
+bool isOf(FileKinds kinds, const fs::path& path) {
+    if (kinds == FileKinds::All) return true;
+    if (kinds == FileKinds::Formulas) return lower(path.extension().string()) == ".stf";
     static constexpr std::array<const char*, 16> kEndings{".voledit", ".nrrd", ".nhdr", ".nii", ".nii.gz", ".mhd",
                                                           ".mha",     ".dcm",  ".ima",  ".tif", ".tiff",   ".png",
                                                           ".vdb",     ".vtk",  ".hdr",  ".img"};
@@ -28,7 +30,7 @@ bool isReadable(const fs::path& path) {
     return std::any_of(kEndings.begin(), kEndings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
-std::vector<BrowserEntry> listFolder(const fs::path& folder, bool onlyReadable, std::string& problem) {
+std::vector<BrowserEntry> listFolder(const fs::path& folder, FileKinds kinds, std::string& problem) {
     std::vector<BrowserEntry> entries;
     problem.clear();
     std::error_code code;
@@ -39,7 +41,7 @@ std::vector<BrowserEntry> listFolder(const fs::path& folder, bool onlyReadable, 
         std::error_code ignored;
         entry.folder = at->is_directory(ignored);
         if (!entry.folder) entry.bytes = at->is_regular_file(ignored) ? at->file_size(ignored) : 0;
-        if (entry.name.starts_with('.') || (!entry.folder && onlyReadable && !isReadable(entry.name))) continue;
+        if (entry.name.starts_with('.') || (!entry.folder && !isOf(kinds, entry.name))) continue;
         entries.push_back(std::move(entry));
     }
     if (code) problem = folder.string() + ": " + code.message();
@@ -61,15 +63,14 @@ fs::path pathFromText(const std::string& text, const fs::path& folder) {
     return path.has_filename() || !path.has_relative_path() ? path : path.parent_path();
 }
 
-std::string completed(const std::string& text, const fs::path& folder, bool onlyReadable) {
+std::string completed(const std::string& text, const fs::path& folder, FileKinds kinds) {
     const auto slash = text.rfind('/');
     const std::string head = slash == text.npos ? "" : text.substr(0, slash + 1);
     const std::string tail = text.substr(head.size());
     std::string problem, shared;
     int matches = 0;
     bool intoFolder = false;
-    for (const BrowserEntry& entry :
-         listFolder(pathFromText(head.empty() ? "." : head, folder), onlyReadable, problem)) {
+    for (const BrowserEntry& entry : listFolder(pathFromText(head.empty() ? "." : head, folder), kinds, problem)) {
         if (!entry.name.starts_with(tail)) continue;
         if (matches++ == 0) shared = entry.name;
         const auto end = std::mismatch(shared.begin(), shared.end(), entry.name.begin(), entry.name.end()).first;

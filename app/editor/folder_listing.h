@@ -17,16 +17,19 @@ struct BrowserEntry {
     bool operator==(const BrowserEntry&) const = default;
 };
 
-/// True if the name's ending is one that voledit opens: a scene or a volume format.
-bool isReadable(const std::filesystem::path& path);
-/// Folders first, then files, each by name without regard to case; hidden ones left out, and, with `onlyReadable`,
-/// files that voledit does not open. Empty where the folder cannot be read; `problem` then says why.
-std::vector<BrowserEntry> listFolder(const std::filesystem::path& folder, bool onlyReadable, std::string& problem);
+/// Which files are shown: all, scenes and volumes, formula files (.stf).
+enum class FileKinds : unsigned char { All, Openable, Formulas };
+
+/// True if the name's ending is one of `kinds`.
+bool isOf(FileKinds kinds, const std::filesystem::path& path);
+/// Folders first, then files of `kinds`, each by name without regard to case; hidden ones left out. Empty where the
+/// folder cannot be read; `problem` then says why.
+std::vector<BrowserEntry> listFolder(const std::filesystem::path& folder, FileKinds kinds, std::string& problem);
 /// `text` as a path: `~` is the home folder, a relative one starts at `folder`; dots are resolved, no slash at its end.
 std::filesystem::path pathFromText(const std::string& text, const std::filesystem::path& folder);
 /// The longest way to go on from `text` that all matching entries share; a slash follows a folder (Tab in the path
 /// field).
-std::string completed(const std::string& text, const std::filesystem::path& folder, bool onlyReadable);
+std::string completed(const std::string& text, const std::filesystem::path& folder, FileKinds kinds);
 /// "12 KB", "3.4 MB".
 std::string sizeText(std::uintmax_t bytes);
 

@@ -34,6 +34,25 @@ inline constexpr const char* kSun = "\xef\x86\x85";            // sun-o
 inline constexpr const char* kOpenSection = "\xef\x84\x87";    // angle-down
 inline constexpr const char* kClosedSection = "\xef\x84\x85";  // angle-right
 inline constexpr const char* kFit = "\xef\x81\xa5";            // expand
+inline constexpr const char* kLink = "\xef\x83\x81";           // link
+inline constexpr const char* kSolid = "\xef\x84\x91";          // circle
+inline constexpr const char* kCombine = "\xef\x89\x87";        // object-group
+inline constexpr const char* kFormula = "\xef\x84\xab";        // superscript
+inline constexpr const char* kTransfer = "\xef\x81\xb4";       // random
+inline constexpr const char* kMagic = "\xef\x83\x90";          // magic
+inline constexpr const char* kPlace = "\xef\x84\xa4";          // location-arrow
+inline constexpr const char* kRecolor = "\xef\x81\x83";        // tint
+inline constexpr const char* kSequence = "\xef\x83\x8b";       // list-ol
+inline constexpr const char* kDisplace = "\xef\x83\xac";       // exchange
+inline constexpr const char* kSliders = "\xef\x87\x9e";        // sliders
+inline constexpr const char* kFormulaFile = "\xef\x87\x89";    // file-code-o
+inline constexpr const char* kFields = "\xef\x83\x8e";         // table
+inline constexpr const char* kPictures = "\xef\x80\xbe";       // picture-o
+inline constexpr const char* kFilm = "\xef\x80\x88";           // film
+inline constexpr const char* kTime = "\xef\x80\x97";           // clock-o
+inline constexpr const char* kReload = "\xef\x80\xa1";         // refresh
+inline constexpr const char* kDown = "\xef\x81\xa3";           // arrow-down
+inline constexpr const char* kText = "\xef\x80\xb1";           // font
 inline constexpr const char* kDrop = "\xef\x83\x97";           // caret-down
 
 }  // namespace voledit::icons

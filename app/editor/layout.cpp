@@ -8,7 +8,7 @@ namespace voledit {
 
 namespace {
 
-constexpr float kMenuHeight = 30, kStatusHeight = 26, kPanelWidth = 330;
+constexpr float kMenuHeight = 30, kTimeHeight = 36, kStatusHeight = 26, kPanelWidth = 330;
 
 int pixels(float design, float scale) {
     return int(std::lround(design * scale));
@@ -16,15 +16,17 @@ int pixels(float design, float scale) {
 
 }  // namespace
 
-Layout layoutOf(Index2 window, float scale) {
+Layout layoutOf(Index2 window, float scale, bool timeBar) {
     const int menu = pixels(kMenuHeight, scale), status = pixels(kStatusHeight, scale);
     // A narrow window keeps more than half of its width for the picture.
     const int panels = std::min(pixels(kPanelWidth, scale), 9 * window.x / 20);
-    const Index2 view = glm::max(Index2(window.x - panels, window.y - menu - status), Index2(1));
+    const int time = timeBar ? pixels(kTimeHeight, scale) : 0, height = std::max(1, window.y - menu - status);
+    const Index2 view = glm::max(Index2(window.x - panels, height - time), Index2(1));
     return {.menu = {{0, 0}, {std::max(1, window.x), menu}},
             .view = {{0, menu}, view},
-            .panels = {{view.x, menu}, {std::max(1, panels), view.y}},
-            .status = {{0, menu + view.y}, {std::max(1, window.x), status}}};
+            .time = {{0, menu + view.y}, {view.x, std::max(1, time)}},
+            .panels = {{view.x, menu}, {std::max(1, panels), height}},
+            .status = {{0, menu + height}, {std::max(1, window.x), status}}};
 }
 
 }  // namespace voledit

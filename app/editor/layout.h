@@ -15,12 +15,13 @@ struct PixelRect {
     }
 };
 
-/// Menu on top, status bar at the bottom, panels at the right, the viewport in what is left.
+/// Menu on top, status bar at the bottom, panels at the right, the viewport in what is left; the time bar below it
+/// where the scene changes over time.
 struct Layout {
-    PixelRect menu, view, panels, status;
+    PixelRect menu, view, time, panels, status;
 };
 
 /// The layout of a window of `window` pixels, `scale` pixels a design pixel. Every size is at least 1.
-Layout layoutOf(Index2 window, float scale);
+Layout layoutOf(Index2 window, float scale, bool timeBar = false);
 
 }  // namespace voledit

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/editor/formula_field.h"
 #include "app/editor/icons.h"
 #include "app/editor/theme.h"
 #include "app/editor/widgets.h"
@@ -69,7 +70,11 @@ bool NoticeList::drawOne(const Workspace& workspace, const PixelRect& area, std:
         ImGui::PopStyleColor();
         ImGui::SameLine();
         ImGui::PushTextWrapPos(right - button - ImGui::GetStyle().ItemSpacing.x);
-        ImGui::TextUnformatted(notice.text.c_str());
+        const FormulaProblem text = problemOf(notice.text);
+        ImGui::BeginGroup();
+        ImGui::TextUnformatted(text.message.c_str());
+        if (!text.excerpt.empty()) ui::excerpt(text.excerpt, right - button - 3 * ImGui::GetStyle().ItemSpacing.x);
+        ImGui::EndGroup();
         ImGui::PopTextWrapPos();
         ImGui::SameLine(right - button);
         close = ui::iconButton(icons::kClose, "Close", "Closes this message");

@@ -28,7 +28,7 @@ Json selectionState(const Workspace& workspace) {
         const int at = int(index), nx = view->lattice.points.x, ny = view->lattice.points.y;
         points.push_back({at % nx, at / nx % ny, at / (nx * ny)});
     }
-    return {{"lattice", selection.lattice}, {"points", points}};
+    return {{"node", selection.node}, {"lattice", selection.lattice}, {"points", points}};
 }
 
 }  // namespace

@@ -10,7 +10,9 @@ namespace voledit {
 
 namespace {
 
-constexpr const char* kFontFolder = "/usr/share/fonts/opentype/inter/";
+constexpr const char* kTextFont = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
+constexpr const char* kStrongFont = "/usr/share/fonts/opentype/inter/Inter-SemiBold.otf";
+constexpr const char* kMonoFont = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
 constexpr const char* kIconFont = "/usr/share/fonts/opentype/font-awesome/FontAwesome.otf";
 // Letters of European languages, punctuation, arrows, mathematical signs.
 constexpr ImWchar kLetters[] = {0x20, 0x17f, 0x2010, 0x2026, 0x2190, 0x2193, 0x2202, 0x2265, 0x2318, 0x2318, 0};
@@ -21,18 +23,17 @@ ImVec4 vec4(const Vec4f& c, float alpha = 1) {
     return {c.x, c.y, c.z, c.w * alpha};
 }
 
-void addFont(const char* file, float pixels) {
+void addFont(const char* path, float pixels) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    const std::string path = std::string(kFontFolder) + file;
     ImFontConfig config;
     config.PixelSnapH = false;
     if (!std::filesystem::exists(path)) {
         config.SizePixels = pixels;
         atlas.AddFontDefault(&config);
     } else {
-        atlas.AddFontFromFileTTF(path.c_str(), pixels, &config, kLetters);
+        atlas.AddFontFromFileTTF(path, pixels, &config, kLetters);
         config.MergeMode = true;
-        atlas.AddFontFromFileTTF(path.c_str(), pixels, &config, kGreek);
+        atlas.AddFontFromFileTTF(path, pixels, &config, kGreek);
     }
     if (!std::filesystem::exists(kIconFont)) return;
     ImFontConfig icons;
@@ -134,9 +135,10 @@ void applyTheme(float scale) {
     io.Fonts->Clear();
     io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-    addFont("Inter-Regular.otf", std::round(15 * scale));
-    addFont("Inter-SemiBold.otf", std::round(15 * scale));
-    addFont("Inter-Regular.otf", std::round(12.5f * scale));
+    addFont(kTextFont, std::round(15 * scale));
+    addFont(kStrongFont, std::round(15 * scale));
+    addFont(kTextFont, std::round(12.5f * scale));
+    addFont(kMonoFont, std::round(13 * scale));
     io.Fonts->Build();
 }
 

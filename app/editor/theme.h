@@ -20,6 +20,7 @@ inline constexpr Vec4f kTextDim{0.580f, 0.600f, 0.640f, 1};
 inline constexpr Vec4f kAccent{0.302f, 0.596f, 0.949f, 1};   // selection, active things
 inline constexpr Vec4f kWarning{0.965f, 0.647f, 0.239f, 1};  // folded control points, warnings
 inline constexpr Vec4f kProblem{0.925f, 0.365f, 0.349f, 1};
+inline constexpr Vec4f kAnimated{0.955f, 0.785f, 0.310f, 1};  // values that change over time
 /// World axes x, y, z.
 inline constexpr std::array<Vec4f, 3> kAxis{Vec4f{0.925f, 0.373f, 0.376f, 1}, Vec4f{0.541f, 0.780f, 0.353f, 1},
                                             Vec4f{0.353f, 0.576f, 0.937f, 1}};
@@ -31,12 +32,12 @@ ImU32 packed(const Vec4f& color, float alpha = 1);
 Vec4f withAlpha(const Vec4f& color, float alpha);
 
 /// The fonts of the current context's atlas, in the order that `applyTheme` adds them.
-enum class FontRole : int { Text, Strong, Small };
+enum class FontRole : int { Text, Strong, Small, Mono };
 ImFont* font(FontRole role);
 
-/// Sets style and fonts (Inter with Font Awesome's icons merged in; ImGui's own where those files are missing) of the
-/// current ImGui context for `scale` pixels a design pixel. The atlas is cleared and built anew: its texture must be
-/// uploaded again.
+/// Sets style and fonts (Inter, and DejaVu Sans Mono for formulas, with Font Awesome's icons merged in; ImGui's own
+/// where those files are missing) of the current ImGui context for `scale` pixels a design pixel. The atlas is cleared
+/// and built anew: its texture must be uploaded again.
 void applyTheme(float scale);
 
 }  // namespace voledit

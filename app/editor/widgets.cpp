@@ -10,6 +10,7 @@
 
 #include "app/editor/icons.h"
 #include "app/editor/theme.h"
+#include "app/editor/widget_parts.h"
 
 namespace voledit {
 
@@ -29,32 +30,8 @@ namespace {
 
 constexpr float kLabelShare = 0.36f;
 
-/// What stands before "##".
-std::string shownPart(const char* label) {
-    const char* end = std::strstr(label, "##");
-    return end ? std::string(label, end) : std::string(label);
-}
-
-std::string hidden(const char* label) {
-    return std::string("##") + label;
-}
-
 bool escapePressed() {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-}
-
-/// Notes, explains and judges the item drawn last.
-Edit finish(const char* label, bool changed, const std::string& help) {
-    noteWidget(label);
-    tooltip(help);
-    Edit edit{changed, ImGui::IsItemDeactivatedAfterEdit(), false};
-    // While a field is typed in, Escape is the text field's own: it puts the old text back.
-    const ImGuiID id = ImGui::GetItemID();
-    if (ImGui::IsItemActive() && !ImGui::TempInputIsActive(id) && escapePressed()) {
-        ImGui::ClearActiveID();
-        edit = {false, false, true};
-    }
-    return edit;
 }
 
 std::string formatOf(const NumberFormat& format) {
@@ -76,8 +53,33 @@ double shareOf(const NumberFormat& format, double value) {
     return (clamped - format.min) / (format.max - format.min);
 }
 
-/// A dragged number of the current item width; `label` with "##".
-bool drag(const char* label, double& value, const NumberFormat& format) {
+constexpr const char* kAxisLabels[] = {"X", "Y", "Z"};
+
+}  // namespace
+
+std::string shownPart(const char* label) {
+    const char* end = std::strstr(label, "##");
+    return end ? std::string(label, end) : std::string(label);
+}
+
+std::string hidden(const char* label) {
+    return std::string("##") + label;
+}
+
+Edit finish(const char* label, bool changed, const std::string& help) {
+    noteWidget(label);
+    tooltip(help);
+    Edit edit{changed, ImGui::IsItemDeactivatedAfterEdit(), false};
+    // While a field is typed in, Escape is the text field's own: it puts the old text back.
+    const ImGuiID id = ImGui::GetItemID();
+    if (ImGui::IsItemActive() && !ImGui::TempInputIsActive(id) && escapePressed()) {
+        ImGui::ClearActiveID();
+        edit = {false, false, true};
+    }
+    return edit;
+}
+
+bool dragField(const char* label, double& value, const NumberFormat& format) {
     const double low = std::isfinite(format.min) ? format.min : -1e30;
     const double high = std::isfinite(format.max) ? format.max : 1e30;
     const bool bounded = std::isfinite(format.min) || std::isfinite(format.max);
@@ -86,7 +88,6 @@ bool drag(const char* label, double& value, const NumberFormat& format) {
                              bounded ? ImGuiSliderFlags_AlwaysClamp : ImGuiSliderFlags_None);
 }
 
-/// The coloured mark of axis `a` at the left end of the item drawn last.
 void axisMark(int a) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const float width = std::round(ImGui::GetFontSize() * 0.18f);
@@ -94,14 +95,14 @@ void axisMark(int a) {
                                               ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersLeft);
 }
 
-float thirdOfRow() {
+float shareOfRow(int count) {
     const float spacing = ImGui::GetStyle().ItemInnerSpacing.x;
-    return (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
+    return (ImGui::GetContentRegionAvail().x - float(count - 1) * spacing) / float(count);
 }
 
-constexpr const char* kAxisLabels[] = {"X", "Y", "Z"};
-
-}  // namespace
+float labelColumn() {
+    return std::round(ImGui::GetWindowContentRegionMax().x * kLabelShare);
+}
 
 void row(const char* label) {
     const std::string shown = shownPart(label);
@@ -113,7 +114,7 @@ void row(const char* label) {
     ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
-    ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * kLabelShare));
+    ImGui::SameLine(labelColumn());
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
@@ -123,6 +124,12 @@ void note(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+}
+
+void finePrint(const std::string& text) {
+    ImGui::PushFont(font(FontRole::Small));
+    note(text);
+    ImGui::PopFont();
 }
 
 void warning(const std::string& text) {
@@ -254,37 +261,43 @@ Edit combo(const char* label, int& index, std::span<const std::string> items, co
     return {changed, changed, false};
 }
 
-Edit choice(const char* label, int& index, std::span<const std::string> items, const std::string& help) {
-    row(label);
+int buttonRow(const char* label, std::span<const std::string> items, const std::function<bool(int)>& on,
+              const std::string& help) {
     const int count = int(items.size());
     const float spacing = std::max(1.0f, std::round(ImGui::GetStyle().ItemInnerSpacing.x / 6));
     const float width = (ImGui::GetContentRegionAvail().x - spacing * float(count - 1)) / float(std::max(1, count));
     const WidgetScope scope(shownPart(label));
     ImGui::PushID(label);
-    bool changed = false;
+    int clicked = -1;
     for (int i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0, spacing);
-        if (i == index) {
+        const bool pressed = on(i);
+        if (pressed) {
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_Header));
             ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetColorU32(ImGuiCol_Header));
         }
-        const bool clicked = ImGui::Button(items[std::size_t(i)].c_str(), {width, 0});
-        if (i == index) ImGui::PopStyleColor(2);
+        if (ImGui::Button(items[std::size_t(i)].c_str(), {width, 0})) clicked = i;
+        if (pressed) ImGui::PopStyleColor(2);
         noteWidget(items[std::size_t(i)]);
         tooltip(help);
-        if (clicked && i != index) {
-            index = i;
-            changed = true;
-            break;
-        }
     }
     ImGui::PopID();
-    return {changed, changed, false};
+    return clicked;
+}
+
+Edit choice(const char* label, int& index, std::span<const std::string> items, const std::string& help) {
+    row(label);
+    const int now = index;
+    const int clicked = buttonRow(
+        label, items, [&](int i) { return i == now; }, help);
+    if (clicked < 0 || clicked == now) return {};
+    index = clicked;
+    return {true, true, false};
 }
 
 Edit number(const char* label, double& value, const NumberFormat& format, const std::string& help) {
     row(label);
-    const bool changed = drag(hidden(label).c_str(), value, format);
+    const bool changed = dragField(hidden(label).c_str(), value, format);
     return finish(label, changed, help);
 }
 
@@ -295,41 +308,53 @@ Edit integer(const char* label, int& value, int min, int max, const std::string&
     return finish(label, changed, help);
 }
 
-Edit slider(const char* label, double& value, const NumberFormat& format, const std::string& help) {
-    row(label);
-    const ImGuiSliderFlags flags =
-        ImGuiSliderFlags_AlwaysClamp | (format.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+bool barField(const char* label, double& value, const NumberFormat& format, const Interval& allowed) {
+    const ImGuiSliderFlags flags = format.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
     // A bar that is filled as far as the value goes says more than a grab.
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const float width = ImGui::CalcItemWidth(), height = ImGui::GetFrameHeight();
-    const bool active = ImGui::GetActiveID() == ImGui::GetID(hidden(label).c_str());
+    const bool active = ImGui::GetActiveID() == ImGui::GetID(label);
     const float rounding = ImGui::GetStyle().FrameRounding;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(min, {min.x + width, min.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
-    if (const float filled = width * float(shareOf(format, value)); filled > 1)
-        list.AddRectFilled(min, {min.x + filled, min.y + height},
+    // From zero, where the bar has it inside.
+    const bool signedBar = !format.logarithmic && format.min < 0 && format.max > 0;
+    const float from = signedBar ? width * float(shareOf(format, 0)) : 0, to = width * float(shareOf(format, value));
+    const float low = std::min(from, to), high = std::max(from, to);
+    if (high - low > 1) {
+        const int left = low < 1 ? ImDrawFlags_RoundCornersLeft : 0;
+        const int right = high > width - 1 ? ImDrawFlags_RoundCornersRight : 0;
+        list.AddRectFilled({min.x + low, min.y}, {min.x + high, min.y + height},
                            ImGui::GetColorU32(packed(theme::kAccent, active ? 0.75f : 0.5f)), rounding,
-                           filled < width - 1 ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersAll);
+                           left + right ? left + right : int(ImDrawFlags_RoundCornersNone));
+    }
     for (const ImGuiCol c : {ImGuiCol_FrameBg, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
         ImGui::PushStyleColor(c, 0);
     ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, packed(theme::kText, 0.06f));
     ImGui::SetNextItemWidth(width);
-    const bool changed = ImGui::SliderScalar(hidden(label).c_str(), ImGuiDataType_Double, &value, &format.min,
-                                             &format.max, formatOf(format).c_str(), flags);
+    const bool changed = ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &format.min, &format.max,
+                                             formatOf(format).c_str(), flags);
     ImGui::PopStyleColor(5);
+    if (changed) value = std::clamp(value, allowed.low, allowed.high);
+    return changed;
+}
+
+Edit slider(const char* label, double& value, const NumberFormat& format, const std::string& help) {
+    row(label);
+    const bool changed = barField(hidden(label).c_str(), value, format, {format.min, format.max});
     return finish(label, changed, help);
 }
 
 Edit vector(const char* label, Vec3& value, const NumberFormat& format, const std::string& help) {
     row(label);
-    const float width = thirdOfRow();
+    const float width = shareOfRow(3);
     const std::string name = shownPart(label);
     Edit edit;
     for (int a = 0; a < 3; ++a) {
         if (a > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
         ImGui::SetNextItemWidth(width);
         const std::string part = name + " " + kAxisLabels[a];
-        const bool changed = drag(hidden(part.c_str()).c_str(), value[a], format);
+        const bool changed = dragField(hidden(part.c_str()).c_str(), value[a], format);
         edit = edit | finish(part.c_str(), changed, help);
         axisMark(a);
     }
@@ -338,7 +363,7 @@ Edit vector(const char* label, Vec3& value, const NumberFormat& format, const st
 
 Edit integers(const char* label, Index3& value, int min, int max, const std::string& help) {
     row(label);
-    const float width = thirdOfRow();
+    const float width = shareOfRow(3);
     const std::string name = shownPart(label);
     Edit edit;
     for (int a = 0; a < 3; ++a) {

@@ -42,8 +42,12 @@ namespace ui {
 /// Starts a labelled row: the label in a dim column of one width, the next widget fills the rest. Every widget below
 /// with a `label` begins such a row by itself; "##…" begins none.
 void row(const char* label);
+/// Where the fields of such rows begin, from the window's left edge.
+float labelColumn();
 /// Dim explanatory text, wrapped.
 void note(const std::string& text);
+/// The same in small letters.
+void finePrint(const std::string& text);
 /// A line with a warning sign.
 void warning(const std::string& text);
 /// Tooltip of the item drawn last; nothing for empty text.

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "app/editor/actions.h"
+#include "app/editor/formula_files.h"
 #include "app/editor/selection.h"
+#include "app/editor/tree_state.h"
 #include "core/scene/compile.h"
 #include "core/scene/document.h"
 
@@ -30,6 +32,7 @@ struct Workspace {
     bool open = false;  // false until something was opened: document and assets are then empty
     Document document{Scene{}};
     LoadedAssets assets;
+    FormulaFiles formulaFiles;
     std::filesystem::path folder;  // asset paths of the document are relative to it
     Selection selection;
 
@@ -40,11 +43,14 @@ struct Workspace {
     Index2 viewOrigin{0}, viewSize{1, 1};  // the viewport in window pixels
     bool overlays = true;
     RendererChoice renderer = RendererChoice::Auto;
+    std::string problem;  // why the scene as it is cannot be compiled; "" where it can
 
     // The interface.
-    float scale = 1;        // pixels for each pixel of the design
-    double clock = 0;       // editor time, seconds
-    bool headless = false;  // pictures must not depend on the clock
+    float scale = 1;   // pixels for each pixel of the design
+    double clock = 0;  // editor time, seconds
+    TreeState tree;
+    bool addMenuWanted = false;  // the menu of Shift+A opens in the next frame
+    bool headless = false;       // pictures must not depend on the clock
     std::vector<Notice> notices;
     Actions actions;
 

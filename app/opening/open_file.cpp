@@ -1,5 +1,6 @@
 #include "app/opening/open_file.h"
 
+#include "app/opening/formula_files_of.h"
 #include "core/base/error.h"
 #include "core/scene/appearance.h"
 #include "core/scene/edits.h"
@@ -49,6 +50,8 @@ LoadedAssets readAssets(IoClient& io, const Scene& scene, const fs::path& folder
         if (file.volume) loaded.volumes[name] = file.volume;
         if (file.mesh) loaded.meshes[name] = file.mesh;
     }
+    for (const std::string& file : formulaFilesOf(scene))
+        loaded.transfers[file] = TransferDefinition::load(folder / file);
     return loaded;
 }
 

@@ -4,6 +4,7 @@
 #include "app/editor/panel.h"
 #include "app/editor/panels/appearance_panel.h"
 #include "app/editor/panels/history_panel.h"
+#include "app/editor/panels/inspector_panel.h"
 #include "app/editor/panels/lattice_panel.h"
 #include "app/editor/panels/render_panel.h"
 #include "app/editor/panels/scene_panel.h"
@@ -16,7 +17,11 @@ std::vector<Panel> makePanels() {
     const auto appearance = std::make_shared<AppearancePanel>();
     std::vector<Panel> panels;
     panels.push_back({"Scene", drawScenePanel, {}, icons::kScene, true});
-    panels.push_back({"Lattice", [lattice](Workspace& w) { lattice->draw(w); }, isOpen, icons::kLattice, true});
+    const auto inspector = std::make_shared<InspectorPanel>();
+    panels.push_back(
+        {"Inspector", [inspector](Workspace& w) { inspector->draw(w); }, hasInspector, icons::kSliders, true});
+    const auto showsLattice = [](const Workspace& w) { return w.open && w.selection.showsLattice(); };
+    panels.push_back({"Lattice", [lattice](Workspace& w) { lattice->draw(w); }, showsLattice, icons::kLattice, true});
     panels.push_back(
         {"Appearance", [appearance](Workspace& w) { appearance->draw(w); }, isOpen, icons::kAppearance, true});
     panels.push_back({"Render", drawRenderPanel, isOpen, icons::kRender, false});

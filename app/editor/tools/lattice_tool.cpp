@@ -15,7 +15,7 @@ constexpr double kReach = 10;         // pixels from a point that still hit it, 
 constexpr double kDragThreshold = 3;  // pixels that a press may wander and still be a click, at scale 1
 
 std::optional<LatticeView> shownLattice(const ToolContext& context) {
-    if (!context.compiled) return std::nullopt;
+    if (!context.compiled || !context.selection.showsLattice()) return std::nullopt;
     auto view = latticeView(context.document.scene(), context.compiled, context.selection.lattice);
     if (!view && !context.selection.lattice.empty()) view = latticeView(context.document.scene(), context.compiled, "");
     return view;

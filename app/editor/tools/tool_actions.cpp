@@ -120,14 +120,14 @@ void toggleAction(Workspace& workspace, const std::string& argument) {
 void addLatticeActions(Actions& actions, Workspace& workspace) {
     const auto any = [&workspace] { return !activeLattice(workspace).empty(); };
     const auto some = [&workspace] { return hasPoints(workspace); };
-    actions.add({"lattice.add", "Add Lattice", "Shift+A", "", "Lays a 4×4×4 lattice about the object, to bend it by",
+    actions.add({"lattice.add", "Add Lattice", "Ctrl+L", "", "Lays a 4×4×4 lattice about the object, to bend it by",
                  [&](const std::string&) { addLatticeAction(workspace); }, [&workspace] { return workspace.open; }});
     actions.add({"lattice.remove", "Remove Lattice", "Ctrl+Delete", "", "Takes the lattice and its deformation away",
                  [&](const std::string&) { removeLatticeAction(workspace); }, any});
     actions.add({"lattice.reset", "Reset to Rest", "Alt+G", "",
                  "Puts the selected control points (with none selected: all) back to rest",
                  [&](const std::string&) { resetAction(workspace); }, any});
-    actions.add({"lattice.enable", "Enable Lattice", "H", "on|off", "Switches the lattice's deformation on or off",
+    actions.add({"lattice.enable", "Enable Lattice", "", "on|off", "Switches the lattice's deformation on or off",
                  [&](const std::string& argument) { toggleAction(workspace, argument); }, any,
                  [&workspace] {
                      const Transfer* transfer = findTransfer(workspace.document.scene(), activeLattice(workspace));
@@ -174,6 +174,7 @@ void addToolActions(Actions& actions, Workspace& workspace, ViewportTools& tools
 }
 
 std::string activeLattice(const Workspace& workspace) {
+    if (!workspace.selection.showsLattice()) return "";
     const Scene& scene = workspace.document.scene();
     const std::string& selected = workspace.selection.lattice;
     if (!selected.empty() && findTransfer(scene, selected)) return selected;

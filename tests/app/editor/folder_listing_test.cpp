@@ -20,18 +20,18 @@ fs::path exampleFolder() {
 TEST(FolderListing, FoldersFirstThenWhatCanBeOpened) {
     const fs::path folder = exampleFolder();
     std::string problem;
-    const auto entries = listFolder(folder, true, problem);
+    const auto entries = listFolder(folder, FileKinds::Openable, problem);
     EXPECT_TRUE(problem.empty());
     ASSERT_EQ(entries.size(), 4u);
     EXPECT_EQ(entries[0], (BrowserEntry{"Scans", true, 0}));
     EXPECT_EQ(entries[1], (BrowserEntry{"A.nii.gz", false, 1}));
     EXPECT_EQ(entries[2].name, "b.nrrd");
-    EXPECT_EQ(listFolder(folder, false, problem).size(), 5u);
+    EXPECT_EQ(listFolder(folder, FileKinds::All, problem).size(), 5u);
 }
 
 TEST(FolderListing, AFolderThatIsNotThereSaysSo) {
     std::string problem;
-    EXPECT_TRUE(listFolder("/nowhere/at/all", true, problem).empty());
+    EXPECT_TRUE(listFolder("/nowhere/at/all", FileKinds::Openable, problem).empty());
     EXPECT_NE(problem.find("/nowhere/at/all"), std::string::npos);
 }
 
@@ -46,10 +46,10 @@ TEST(FolderListing, TypedPaths) {
 TEST(FolderListing, CompletionStopsWhereNamesPart) {
     const fs::path folder = exampleFolder();
     const std::string base = folder.string() + "/";
-    EXPECT_EQ(completed(base + "Sc", folder, true), base + "Scans/");
-    EXPECT_EQ(completed(base + "b", folder, true), base + "b.nrrd");
-    EXPECT_EQ(completed("sc", folder, true), "scan.voledit");
-    EXPECT_EQ(completed(base + "z", folder, true), base + "z");
+    EXPECT_EQ(completed(base + "Sc", folder, FileKinds::Openable), base + "Scans/");
+    EXPECT_EQ(completed(base + "b", folder, FileKinds::Openable), base + "b.nrrd");
+    EXPECT_EQ(completed("sc", folder, FileKinds::Openable), "scan.voledit");
+    EXPECT_EQ(completed(base + "z", folder, FileKinds::Openable), base + "z");
 }
 
 TEST(FolderListing, Sizes) {

@@ -26,6 +26,7 @@ public:
         io.DeltaTime = 1.0f / 60;
         io.UserData = &places_;
         io.KeyMap[ImGuiKey_Escape] = int(Key::Escape);
+        io.KeyMap[ImGuiKey_Backspace] = int(Key::Backspace);
         io.KeyMap[ImGuiKey_Enter] = int(Key::Enter);
         io.KeyMap[ImGuiKey_Delete] = int(Key::Delete);
         io.KeyMap[ImGuiKey_A] = int(Key::A);

@@ -187,9 +187,9 @@ TEST_F(SessionTest, AWidgetScrolledOutOfSightIsBroughtBack) {
     play(session, "do lattice.add\nframe\n");
     const Vec2 low = session.locate({.kind = Place::Kind::Widget, .name = "appearance/Opacity distance"});
     EXPECT_LT(low.y, 420 - 26);
-    const Vec2 top = session.locate({.kind = Place::Kind::Widget, .name = "Scene/Add Lattice"});
+    const Vec2 top = session.locate({.kind = Place::Kind::Widget, .name = "Scene/Add"});
     EXPECT_GT(top.y, 30);
-    play(session, "click @widget(\"Scene/Add Lattice\")\n");
+    play(session, "click @widget(\"Scene/Show lattice\")\n");
     EXPECT_EQ(state(session)["undo"].size(), 2u);
 }
 
@@ -271,7 +271,7 @@ TEST_F(SessionTest, RecordingReplaysToTheSameState) {
     {
         Session session(options);
         play(session,
-             "press Shift+A\ndrag @point(lattice,3,0,3) to +30,-20\npress A\npress G\nmove @view(0.4,0.4)\nframe\n"
+             "press Ctrl+L\ndrag @point(lattice,3,0,3) to +30,-20\npress A\npress G\nmove @view(0.4,0.4)\nframe\n"
              "move @view(0.45,0.42)\nframe\npress Enter\nwheel 2\nframe 3\npress Ctrl+Z\ndo view.right\n");
         recorded = state(session);
     }

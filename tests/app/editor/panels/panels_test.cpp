@@ -4,7 +4,6 @@
 #include "app/editor/panel.h"
 #include "app/editor/panels/history_panel.h"
 #include "app/editor/panels/render_panel.h"
-#include "app/editor/panels/scene_panel.h"
 #include "tests/app/editor/editor_rig.h"
 #include "tests/app/editor/panel_harness.h"
 
@@ -24,28 +23,6 @@ protected:
     Workspace workspace;
     ViewportTools tools;
 };
-
-TEST_F(PanelsTest, ScenePanelSelectsSwitchesAndRemovesLattices) {
-    document() = Document([] {
-        Scene scene = test::smallScene(true);
-        addLattice(scene, "second", FfdTransfer{}, frameOf(Box3{Vec3(-40), Vec3(40)}));
-        return scene;
-    }());
-    test::PanelHarness ui{[&] { drawScenePanel(workspace); }};
-    EXPECT_TRUE(ui.has("small"));
-    ui.click("lattice");
-    EXPECT_EQ(workspace.selection.lattice, "lattice");
-    ui.click("Show second");
-    EXPECT_FALSE(findTransfer(document().scene(), "second")->enabled);
-    ui.click("Show second");
-    EXPECT_TRUE(findTransfer(document().scene(), "second")->enabled);
-    ui.click("Remove lattice");
-    EXPECT_THAT(latticeNames(document().scene()), ElementsAre("second"));
-    EXPECT_TRUE(workspace.selection.empty());
-    EXPECT_THAT(document().undoNames(), ElementsAre("Disable lattice", "Enable lattice", "Remove lattice"));
-    ui.click("Add Lattice");
-    EXPECT_EQ(latticeNames(document().scene()).size(), 2u);
-}
 
 TEST_F(PanelsTest, RenderPanelEditsTheSettings) {
     test::PanelHarness ui{[&] { drawRenderPanel(workspace); }};
