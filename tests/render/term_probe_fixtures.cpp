@@ -80,7 +80,6 @@ std::vector<Vec3> pointsIn(const Box3& box, int count, unsigned seed) {
     std::vector<Vec3> p;
     for (int n = 0; n < count; ++n) {
         const Vec3 u(share(random), share(random), share(random));
-        // What single precision can hold, so that both sides are asked the same.
         p.push_back(box.min + u * box.size());
     }
     return p;
@@ -88,7 +87,8 @@ std::vector<Vec3> pointsIn(const Box3& box, int count, unsigned seed) {
 
 void expectParity(const TermPtr& term, const ParityLimits& limits, int count) {
     const Vec3 margin = 0.05 * term->bounds.size();
-    const std::vector<Vec3> p = pointsIn({term->bounds.min - margin, term->bounds.max + margin}, count);
+    const std::vector<Vec3> p =
+        pointsIn(limits.box.value_or(Box3{term->bounds.min - margin, term->bounds.max + margin}), count);
     std::vector<ObjectSample> expected(p.size());
     sample(*term, p, expected, true);
     const Probed got = probed(term, p);
@@ -98,7 +98,8 @@ void expectParity(const TermPtr& term, const ParityLimits& limits, int count) {
         steepest = std::max(steepest, glm::length(s.normalGradient));
         visible += s.opacity > 0;
     }
-    EXPECT_GE(visible, limits.visible * count) << "there is too little to compare";
+    EXPECT_GE(visible, limits.visible * count)
+        << "there is too little to compare in " << term->bounds.min.x << " … " << term->bounds.max.x;
     double worstOpacity = 0, worstColor = 0, worstGradient = 0;
     std::string first;
     for (std::size_t n = 0; n < p.size(); ++n) {

@@ -21,9 +21,10 @@ struct ParityLimits {
     double gradient = 1e-3;   // of the largest gradient
     double outliers = 0.002;  // share of the points that may lie across a jump from where single precision sees them
     double visible = 0.1;     // share of the points at which there must be something
+    std::optional<Box3> box = std::nullopt;  // of the points; else the term's bounds and a twentieth around them
 };
 
-/// Holds the program of `term` against core::sample at `count` random points of its bounds, grown by a tenth.
+/// Holds the program of `term` against core::sample at `count` random points .
 void expectParity(const TermPtr& term, const ParityLimits& limits = {}, int count = 4000);
 
 }  // namespace voledit::test

@@ -19,7 +19,7 @@ namespace {
 
 using namespace test;
 
-const Box3 kUnitBox{Vec3(-1), Vec3(1)};
+const Box3 kUnitBox{Vec3(-1), Vec3(1)}, kAround{Vec3(-1.25), Vec3(1.25)};
 
 TermPtr softBall() {
     return solid(SphereShape{Vec3(0.2, 0, 0), 0.7}, {1, 0.5, 0.25}, 0.3, "0.3 + 0.5 * r");
@@ -45,7 +45,8 @@ TEST(TermProgram, Solids) {
     expectParity(solid(CapsuleShape{{-0.5, 0, -1}, {0.5, 0.3, 1}, 0.4}, {1, 1, 0}, 0.2));
     expectParity(solid(TorusShape{{0, 0.1, 0}, {1, 1, 2}, 1, 0.4}, {1, 0, 1}, 0.1));
     expectParity(solid(TextShape{"Vol", 1, 0.5}, {0.5, 1, 1}, 0.1));
-    expectParity(solid(DistanceShape{{"length((x, y, z)) - 0.8 - 0.1 * sin(8 * x)", ""}, kUnitBox}, {1, 1, 1}, 0.1));
+    expectParity(
+        solid(DistanceShape{{"sqrt(x^2 + y^2 + z^2) - 0.8 - 0.1 * sin(8 * x)", ""}, kUnitBox}, {1, 1, 1}, 0.1));
 }
 
 TEST(TermProgram, SolidsFarFromTheOrigin) {
@@ -87,7 +88,7 @@ TEST(TermProgram, Fields) {
     expectParity(field(std::make_shared<AttributeField>("heat", through(library("twist", kUnitBox), marked()))),
                  {.gradient = 1e-2});
     expectParity(field(std::make_shared<ComponentField>(library("twist", kUnitBox), 0, false)));
-    expectParity(field(std::make_shared<ComponentField>(library("bend", kUnitBox), 1, true)), {.outliers = 0.01});
+    expectParity(field(std::make_shared<ComponentField>(library("bend", kUnitBox), 0, true)), {.outliers = 0.01});
     // Undefined colour and opacity is nothing.
     expectParity(makeFieldsTerm(
         {expression("sqrt(x)"), {expression("sqrt(y)"), expression("1"), expression("z")}, kUnitBox, {}}));
@@ -97,6 +98,7 @@ class LibraryMap : public testing::TestWithParam<std::string> {};
 TEST_P(LibraryMap, IsAsOnTheCpu) {
     ParityLimits limits;
     limits.outliers = 0.005;  // cuts
+    limits.box = kAround;
     expectParity(through(library(GetParam(), kUnitBox), marked()), limits);
     expectParity(through(library(GetParam(), kUnitBox, {}, 0.4), marked()), limits);
 }
@@ -108,7 +110,7 @@ TEST(TermProgram, MapsOfMaps) {
     const TransferPtr twist = library("twist", kUnitBox), bend = library("bend", kUnitBox),
                       split = library("split", kUnitBox), taper = library("taper", kUnitBox);
     const FieldPtr weight = expression("0.5 + 0.4 * x");
-    const ParityLimits limits{.outliers = 0.005};
+    const ParityLimits limits{.outliers = 0.005, .box = kAround};
     const auto check = [&](TransferPtr map) { expectParity(through(map, marked()), limits); };
     check(std::make_shared<SequenceMap>(std::vector{twist, split, bend}));
     check(std::make_shared<ScaledMap>(weight, twist));
@@ -156,6 +158,8 @@ TEST_P(EachOperator, IsAsOnTheCpu) {
     const FieldPtr weight = GetParam() == CvgOperator::Blend ? expression("0.5 + 0.3 * sin(4 * x)") : nullptr;
     const TermPtr ball = softBall(), box = softBox();
     ParityLimits limits;
+    limits.box = kUnitBox;
+    limits.visible = 0.02;
     limits.outliers = 0.005;  // along seams, where one operand takes over
     expectParity(makeCvgTerm(GetParam(), {ball, box}, weight), limits);
     expectParity(makeCvgTerm(GetParam(), {marked(), ball}, weight), limits);
