@@ -147,6 +147,10 @@ public:
 
 private:
     static std::size_t index(int n) { return static_cast<std::size_t>(n); }
+    bool isZero(int n) const {
+        const FormulaNode& node = graph_.nodes[index(n)];
+        return node.op == Op::Constant && node.value() == 0;
+    }
     /// Uniform conditions arrive as numbers.
     bool isBool(int n) const { return isCondition(graph_.nodes[index(n)].op) && !graph_.uniform[index(n)]; }
     std::string condition(int n) const { return isBool(n) ? name_[index(n)] : "(" + name_[index(n)] + " != 0.0)"; }
@@ -165,6 +169,14 @@ private:
                 return condition(a) + " ? " + number(b) + " : " + number(c);
             case Op::NotEqual:
                 return number(a) + " < " + number(b) + " || " + number(a) + " > " + number(b);
+            // Compilers take 0·x and x − x for 0, which infinity and NaN do not give.
+            case Op::Multiply:
+                for (const auto& [zero, other] : {std::pair{a, b}, std::pair{b, a}})
+                    if (isZero(zero)) return "formulaTimesZero(" + number(other) + ", " + number(zero) + ")";
+                break;
+            case Op::Subtract:
+                if (a == b) return "abs(formulaTimesZero(" + number(a) + ", 0.0))";
+                break;
             case Op::IntegerPower:
                 return "formulaIntegerPower(" + number(a) + ", " + std::to_string(node.payload) + ")";
             case Op::Noise: {

@@ -29,17 +29,19 @@ std::array<double, 3> gradient(std::uint32_t h) {
     return g & 2u ? std::array<double, 3>{0, -1.0, first} : std::array<double, 3>{first, 1.0, 0};
 }
 
-/// The weight 6t⁵ − 15t⁴ + 10t³ of a cell's upper end, differentiated `order` times.
+/// The weight 6t⁵ − 15t⁴ + 10t³ of a cell's upper end, differentiated `order` times; written with u = 1 − t, so that
+/// single precision loses nothing near 1.
 double fade(double t, int order) {
+    const double u = 1.0 - t;
     switch (order) {
         case 0:
-            return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
+            return t * t * t * (1.0 + u * (3.0 + u * 6.0));
         case 1:
-            return t * t * (t * (t * 30.0 - 60.0) + 30.0);
+            return 30.0 * t * t * u * u;
         case 2:
-            return t * (t * (t * 120.0 - 180.0) + 60.0);
+            return 60.0 * t * u * (u - t);
         case 3:
-            return t * (t * 360.0 - 360.0) + 60.0;
+            return 60.0 - 360.0 * t * u;
         case 4:
             return t * 720.0 - 360.0;
         case 5:

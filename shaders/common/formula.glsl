@@ -9,6 +9,13 @@ float formulaInfinity() { return uintBitsToFloat(0x7f800000u); }
 bool formulaIsNaN(float x) { return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u; }
 bool formulaIsInfinite(float x) { return (floatBitsToUint(x) & 0x7fffffffu) == 0x7f800000u; }
 
+// x times a zero: NaN for NaN and infinity, else a zero of the product's sign.
+float formulaTimesZero(float x, float zero) {
+    uint bits = floatBitsToUint(x);
+    if ((bits & 0x7f800000u) == 0x7f800000u) return formulaNaN();
+    return uintBitsToFloat((bits ^ floatBitsToUint(zero)) & 0x80000000u);
+}
+
 float formulaSign(float x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x; }
 float formulaMin(float a, float b) { return formulaIsNaN(b) ? b : b < a ? b : a; }
 float formulaMax(float a, float b) { return formulaIsNaN(b) ? b : a < b ? b : a; }
@@ -251,11 +258,12 @@ vec3 formulaGradient(uint h) {
 
 // 6t⁵ − 15t⁴ + 10t³, differentiated `order` times.
 float formulaFade(float t, int order) {
+    precise float u = 1.0 - t;
     precise float result = 0.0;
-    if (order == 0) result = t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
-    if (order == 1) result = t * t * (t * (t * 30.0 - 60.0) + 30.0);
-    if (order == 2) result = t * (t * (t * 120.0 - 180.0) + 60.0);
-    if (order == 3) result = t * (t * 360.0 - 360.0) + 60.0;
+    if (order == 0) result = t * t * t * (1.0 + u * (3.0 + u * 6.0));
+    if (order == 1) result = 30.0 * t * t * u * u;
+    if (order == 2) result = 60.0 * t * u * (u - t);
+    if (order == 3) result = 60.0 - 360.0 * t * u;
     if (order == 4) result = t * 720.0 - 360.0;
     if (order == 5) result = 720.0;
     return result;

@@ -115,7 +115,12 @@ inline Rounded primitive(const std::string& f, const Rounded& a, const Rounded& 
     for (int corner = 0; corner < 27; ++corner) {
         const auto moved = [](const Rounded& r, int side) { return r.value + (side - 1) * r.error; };
         const double other = primitive(f, moved(a, corner % 3), moved(b, corner / 3 % 3), moved(c, corner / 9));
-        const double difference = value != value && other != other ? 0 : std::abs(other - value);
+        double difference = value != value && other != other ? 0 : std::abs(other - value);
+        // A sawtooth may fall in between and come back: then nothing but its height is known.
+        const auto tooth = [&](double x, double y) { return std::floor(f == "mod" ? x / y : x); };
+        if ((f == "mod" || f == "fract") &&
+            tooth(moved(a, corner % 3), moved(b, corner / 3 % 3)) != tooth(a.value, b.value))
+            difference = f == "mod" ? std::abs(b.value) + b.error : 1;
         error = std::max(error, difference == difference ? difference : kInfinity);
     }
     // Signs, conditions and whole numbers are exact once their operands are known well enough.
@@ -123,6 +128,9 @@ inline Rounded primitive(const std::string& f, const Rounded& a, const Rounded& 
                        f == "negate" || f == "abs" || f == "sign" || f == "min" || f == "max" || f == "floor" ||
                        f == "ceil";
     if (!exact) error += std::abs(value) * kUnits + kSmallest;
+    // These are sums whose terms may be larger than they: of mod x itself, of noise eight terms of about 1.
+    if (f == "mod") error += std::abs(a.value) * kUnits;
+    if (f == "noise") error += 4 * kUnits;
     return {value, std::abs(value) > kLargest ? kInfinity : error};
 }
 
@@ -217,6 +225,7 @@ private:
         if (f == "length") return each("sqrt", number(dot(a[0], a[0])));
         if (f == "normalize") return each("/", a[0], each("sqrt", number(dot(a[0], a[0]))));
         if (f == "cross") return cross(a[0], a[1]);
+        if (f == "noise" && a.size() == 1) return number(primitive(f, a[0].at[0], a[0].at[1], a[0].at[2]));
         if (f == "rotate") return rotate(a[0], a[1], a[2]);
         return each(f, a[0], a.size() > 1 ? a[1] : Value{}, a.size() > 2 ? a[2] : Value{});
     }
