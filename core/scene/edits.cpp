@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/scene/transfers_in_scene.h"
+#include "core/scene/node_edits.h"
+#include "core/scene/scene_children.h"
+#include "core/scene/scene_walk.h"
 
 namespace voledit {
 
 namespace {
-
-std::string uniqueName(const Scene& scene, const std::string& wanted) {
-    const std::string base = wanted.empty() ? "transfer" : wanted;
-    std::string name = base;
-    for (int n = 2; findTransfer(scene, name); ++n) name = base + " " + std::to_string(n);
-    return name;
-}
 
 FfdTransfer& latticeIn(Transfer& transfer, const std::string& name) {
     if (auto* ffd = std::get_if<FfdTransfer>(&transfer.kind)) return *ffd;
@@ -32,14 +27,14 @@ void checkPoint(const FfdTransfer& ffd, const std::string& name, std::size_t poi
                     "its " + std::to_string(count) + " points are counted from 0");
 }
 
-/// Names in `transfers` that `name` goes by: itself, and aliases that use it.
-std::vector<std::string> aliasesOf(const Scene& scene, const std::string& name) {
-    std::vector<std::string> names{name};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        for (const auto& [key, transfer] : scene.transfers)
-            if (const auto* use = std::get_if<TransferUse>(&transfer->kind); use && use->name == names[i])
-                if (std::find(names.begin(), names.end(), key) == names.end()) names.push_back(key);
-    return names;
+/// Adds `offset` at every time.
+void shift(Tracked<Vec3>& vector, const Vec3& offset) {
+    std::vector<PartTrack> tracks = vector.tracks();
+    for (auto& [part, track] : tracks)
+        for (auto& key : track.keys)
+            for (std::size_t n = 0; n < key.value.size(); ++n) key.value[n] += offset[std::max(part, 0) + int(n)];
+    vector = *vector + offset;
+    vector.setTracks(std::move(tracks));
 }
 
 }  // namespace
@@ -56,48 +51,16 @@ Scene sceneOfVolume(const std::string& assetPath, const std::string& name, const
 }
 
 std::string addLattice(Scene& scene, const std::string& name, const FfdTransfer& lattice, const Frame& frame) {
-    const std::string unique = uniqueName(scene, name);
     Transfer transfer;
     transfer.kind = lattice;
-    transfer.frame = frame;
-    scene.transfers[unique] = transfer;
-
-    Transfer use;
-    use.kind = TransferUse{unique};
-    if (std::holds_alternative<TransferObject>(scene.root->kind)) {
-        std::get<TransferObject>(scene.root.edit().kind).by.emplace_back(use);
-    } else {
-        TransferObject wrapped;
-        wrapped.by.emplace_back(use);
-        wrapped.of = scene.root;
-        scene.root = Object{wrapped};
-    }
-    return unique;
+    return addTransfer(scene, kRootPath, std::move(transfer), name, frame);
 }
 
 void removeTransfer(Scene& scene, const std::string& name) {
-    if (!findTransfer(scene, name))
+    const NodePath path = pathOfTransfer(scene, name);
+    if (path.empty())
         throw Error("transfer \"" + name + "\"", "the scene has none of this name", "it may have been removed");
-    std::string key = name;
-    if (!scene.transfers.contains(name))
-        for (const auto& [entry, transfer] : scene.transfers)
-            if (transfer->name == name) key = entry;
-    const bool named = scene.transfers.contains(key);
-    const std::vector<std::string> names = named ? aliasesOf(scene, key) : std::vector<std::string>{};
-    const auto gone = [&](const SharedValue<Transfer>& by) {
-        if (const auto* use = std::get_if<TransferUse>(&by->kind))
-            return std::find(names.begin(), names.end(), use->name) != names.end();
-        return !named && by->name == name;
-    };
-    rewriteObjects(scene, [&](const Object& object) -> std::optional<Object> {
-        const auto* transfers = std::get_if<TransferObject>(&object.kind);
-        if (!transfers || std::none_of(transfers->by.begin(), transfers->by.end(), gone)) return std::nullopt;
-        TransferObject edited = *transfers;
-        std::erase_if(edited.by, gone);
-        if (edited.by.empty()) return *edited.of;
-        return Object{std::move(edited)};
-    });
-    for (const auto& alias : names) scene.transfers.erase(alias);
+    removeNode(scene, path);
 }
 
 std::vector<std::string> latticeNames(const Scene& scene) {
@@ -109,14 +72,7 @@ std::vector<std::string> latticeNames(const Scene& scene) {
 }
 
 const Transfer* findTransfer(const Scene& scene, const std::string& name) {
-    if (const auto found = scene.transfers.find(name); found != scene.transfers.end()) return &*found->second;
-    for (const auto& [key, transfer] : scene.transfers)
-        if (!name.empty() && transfer->name == name) return &*transfer;
-    const Transfer* found = nullptr;
-    forEachTransfer(scene, [&](const std::string& own, const Transfer& transfer) {
-        if (!found && !name.empty() && own == name) found = &transfer;
-    });
-    return found;
+    return findTransferAt(scene, pathOfTransfer(scene, name));
 }
 
 Vec3 controlPoint(const Scene& scene, const std::string& name, std::size_t point, const Frame& frame) {
@@ -133,8 +89,8 @@ void moveControlPoints(Scene& scene, const std::string& name, const std::vector<
         for (const std::size_t point : points) {
             checkPoint(ffd, name, point);
             auto& move = ffd.moves[point];
-            move.vector = *move.vector + offset;
-            if (!move.absolute && *move.vector == Vec3(0)) ffd.moves.erase(point);
+            shift(move.vector, offset);
+            if (!move.absolute && move.vector == Vec3(0)) ffd.moves.erase(point);
         }
     });
 }
@@ -173,12 +129,15 @@ void setTransferOutside(Scene& scene, const std::string& name, Outside outside) 
 void setAppearance(Scene& scene, const std::string& asset, const Appearance& appearance) {
     if (!findAppearance(scene, asset))
         throw Error("asset \"" + asset + "\"", "no volume object shows it", "name an asset that one shows");
-    rewriteObjects(scene, [&](const Object& object) -> std::optional<Object> {
-        const auto* volume = std::get_if<VolumeObject>(&object.kind);
-        if (!volume || volume->asset != asset) return std::nullopt;
-        VolumeObject edited = *volume;
-        edited.appearance = appearance;
-        return Object{std::move(edited)};
+    rewriteNodes(scene, [&]<class Node>(const Node& node) -> std::optional<Node> {
+        if constexpr (std::is_same_v<Node, Object>) {
+            const auto* volume = std::get_if<VolumeObject>(&node.kind);
+            if (!volume || volume->asset != asset || volume->appearance == appearance) return std::nullopt;
+            VolumeObject edited = *volume;
+            edited.appearance = appearance;
+            return Object{std::move(edited)};
+        }
+        return std::nullopt;
     });
 }
 
@@ -191,12 +150,39 @@ const Appearance* findAppearance(const Scene& scene, const std::string& asset) {
     return found;
 }
 
+namespace {
+
+/// Tracks stay where the value is what their first keys say.
+template <class T>
+void setUnlessEqual(Tracked<T>& tracked, const T& value) {
+    if (*tracked != value) tracked = value;
+}
+
+}  // namespace
+
 void setCamera(Scene& scene, const Camera& camera) {
-    scene.camera = camera;
+    if (!scene.camera) scene.camera = camera;
+    setUnlessEqual(scene.camera->eye, camera.eye);
+    setUnlessEqual(scene.camera->target, camera.target);
+    setUnlessEqual(scene.camera->up, camera.up);
+    setUnlessEqual(scene.camera->fovY, camera.fovY);
 }
 
 void setRenderSettings(Scene& scene, const RenderSettings& settings) {
-    scene.render = settings;
+    TrackedRender& render = scene.render;
+    setUnlessEqual(render.background, settings.background);
+    setUnlessEqual(render.step, settings.step);
+    render.shading = settings.shading;
+    setUnlessEqual(render.ambient, settings.ambient);
+    setUnlessEqual(render.diffuse, settings.diffuse);
+    setUnlessEqual(render.specular, settings.specular);
+    setUnlessEqual(render.shininess, settings.shininess);
+    if (!settings.light)
+        render.light.reset();
+    else if (!render.light)
+        render.light = *settings.light;
+    else
+        setUnlessEqual(*render.light, *settings.light);
 }
 
 void setOpacityDistance(Scene& scene, double distance) {

@@ -16,8 +16,8 @@ Scene sceneOfVolume(const std::string& assetPath, const std::string& name, const
 /// is a transfer already, the lattice is appended to its list. Returns the name used.
 std::string addLattice(Scene& scene, const std::string& name, const FfdTransfer& lattice, const Frame& frame);
 
-/// Takes the transfer `name` out of every list and of `transfers`; a transfer object left with an empty list goes too.
-/// Throws Error if there is none.
+/// Takes the transfer `name` out of all that uses it and of `transfers`, as removeNode does. Throws Error if there is
+/// none.
 void removeTransfer(Scene& scene, const std::string& name);
 
 /// Names of the scene's lattices (entries of `transfers` of type ffd, and named inline ones), the outermost first.
@@ -28,16 +28,17 @@ const Transfer* findTransfer(const Scene& scene, const std::string& name);
 /// Position of control point `point` of lattice `name`, world units, before the transfers outside it. `frame` is the
 /// transfer's own or, where it is left out, the operand's box. Throws Error if the lattice is gone.
 Vec3 controlPoint(const Scene& scene, const std::string& name, std::size_t point, const Frame& frame);
-/// Moves control points `points` of lattice `name` by `offset`, world units. Throws Error if the lattice is gone or a
-/// point is out of range.
+/// Moves control points `points` of lattice `name` by `offset`, world units, at every time. Throws Error if the lattice
+/// is gone or a point is out of range.
 void moveControlPoints(Scene& scene, const std::string& name, const std::vector<std::size_t>& points,
                        const Vec3& offset);
-/// Moves control point `point` to `position`, world units.
+/// Moves control point `point` to `position`, world units; it stays there: its tracks go.
 void setControlPoint(Scene& scene, const std::string& name, std::size_t point, const Vec3& position);
 /// All control points of lattice `name` back to rest (or only `points`, where it is not empty).
 void resetLattice(Scene& scene, const std::string& name, const std::vector<std::size_t>& points);
 /// Degree (Bézier) or points (B-spline) and cells of lattice `name`. Control points are elevated where the new lattice
-/// can hold the old shape (Bézier to a higher degree); else the new lattice is fitted at its Greville points.
+/// can hold the old shape (Bézier to a higher degree); else the new lattice is fitted at its Greville points. Where the
+/// points change, their tracks go: the shape is that of the first keys.
 void setLatticeShape(Scene& scene, const std::string& name, LatticeBasis basis, Index3 points, Index3 cells,
                      const Frame& frame);
 
@@ -49,6 +50,7 @@ void setTransferOutside(Scene& scene, const std::string& name, Outside outside);
 void setAppearance(Scene& scene, const std::string& asset, const Appearance& appearance);
 const Appearance* findAppearance(const Scene& scene, const std::string& asset);
 
+/// Settings that change lose their tracks; the others keep them.
 void setCamera(Scene& scene, const Camera& camera);
 void setRenderSettings(Scene& scene, const RenderSettings& settings);
 void setOpacityDistance(Scene& scene, double distance);

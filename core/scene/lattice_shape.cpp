@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/scene/edits.h"
 #include "core/scene/limits.h"
-#include "core/scene/transfers_in_scene.h"
+#include "core/scene/scene_walk.h"
 #include "core/stf/lattice_basis.h"
 
 namespace voledit {

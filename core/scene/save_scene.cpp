@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/asset_paths.h"
+#include "core/scene/scene_children.h"
 #include "core/scene/scene_json.h"
 
 namespace voledit {
@@ -84,6 +85,18 @@ void saveScene(const Scene& scene, const fs::path& path, const fs::path& folderN
         throw Error(path.string(), "its folder does not exist", "make it, or choose another");
     Scene moved = scene;
     for (auto& [name, asset] : moved.assets) asset.path = movedPath(asset.path, folderNow, target);
+    rewriteNodes(moved, [&]<class Node>(const Node& node) -> std::optional<Node> {
+        if constexpr (std::is_same_v<Node, Transfer>) {
+            const auto* library = std::get_if<LibraryTransfer>(&node.kind);
+            if (!library || !library->isFile) return std::nullopt;
+            const std::string now = movedPath(library->definition, folderNow, target);
+            if (now == library->definition) return std::nullopt;
+            Transfer transfer = node;
+            std::get<LibraryTransfer>(transfer.kind).definition = now;
+            return transfer;
+        }
+        return std::nullopt;
+    });
     const std::string text = sceneToJson(moved);
     FileBeside file(target);
     file.write(text);

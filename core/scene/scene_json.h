@@ -32,8 +32,8 @@ std::string sceneToJson(const Scene& scene);
 /// Reads a scene file (at most 256 MiB). Throws Error as above, and when the file cannot be read.
 Scene loadScene(const std::filesystem::path& path, const SceneFileOptions& options = {});
 
-/// Writes beside `path` and renames, so that a failure leaves the old file. Asset paths, which are relative to
-/// `folderNow`, are rewritten relative to the new file's folder. Throws Error.
+/// Writes beside `path` and renames, so that a failure leaves the old file. Paths of assets and formula
+/// files, which are relative to `folderNow`, are rewritten relative to the new file's folder. Throws Error.
 void saveScene(const Scene& scene, const std::filesystem::path& path, const std::filesystem::path& folderNow);
 
 /// The asset's file: `asset.path` seen from the scene file's folder.
