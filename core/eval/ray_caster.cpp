@@ -87,7 +87,7 @@ private:
 
     void composite() {
         values_.resize(points_.size());
-        sample(*scene_.root, points_, values_, scene_.render.shading);
+        sample(*scene_.root, points_, values_, scene_.render.shading, "");  // no attribute
         samples_ += points_.size();
         for (std::size_t n = 0; n < points_.size() && transmittance_ >= kOpaque; ++n) {
             const ObjectSample& s = values_[n];

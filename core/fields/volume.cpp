@@ -169,12 +169,15 @@ void Volume::gradient(std::span<const Vec3> p, std::span<Vec3> gradient, int cha
     const Mat3 worldFromDifferences = glm::transpose(Mat3(indexFromWorld_));
     withVoxelType(type_, [&](auto t) {
         const GridView<decltype(t)> grid(grid_, voxels_, channel);
-        Vec3 x;
-        for (std::size_t n = 0; n < p.size(); ++n)
-            gradient[n] = locate(p[n], x)
-                              ? worldFromDifferences * (interpolation == Interpolation::Cubic ? grid.cubicGradient(x)
-                                                                                              : grid.differences(x))
-                              : Vec3(0);
+        const auto fill = [&](const auto& gradientAt) {
+            Vec3 x;
+            for (std::size_t n = 0; n < p.size(); ++n)
+                gradient[n] = locate(p[n], x) ? worldFromDifferences * gradientAt(x) : Vec3(0);
+        };
+        if (interpolation == Interpolation::Cubic)
+            fill([&](const Vec3& x) { return grid.cubicGradient(x); });
+        else
+            fill([&](const Vec3& x) { return grid.differences(x); });
     });
 }
 

@@ -14,25 +14,41 @@ namespace voledit {
 
 namespace {
 
-/// Values already in `sample` seen through a transfer function; gradientsAt(points) gives ∇ of the values.
+/// Points of a block and what is found there; on the stack, as a leaf holds no other term.
+struct Chosen {
+    std::array<std::uint32_t, kBlock> index;
+    std::array<Vec3, kBlock> at, gradient;
+    std::size_t count = 0;
+
+    void add(std::size_t i, const Vec3& p) {
+        index[count] = std::uint32_t(i);
+        at[count++] = p;
+    }
+    std::span<const Vec3> points() const { return std::span(at).first(count); }
+    std::span<Vec3> gradients() { return std::span(gradient).first(count); }
+};
+
+/// Values seen through a transfer function; gradientsAt(points, gradients) gives ∇ of the values.
 template <class GradientsAt>
-void classify(const TransferFunction& look, std::span<const Vec3> p, std::span<ObjectSample> sample, const Asked& asked,
-              const GradientsAt& gradientsAt) {
-    std::vector<std::uint32_t> visible;
+void classify(const TransferFunction& look, std::span<const double> value, std::span<const Vec3> p,
+              std::span<ObjectSample> sample, const Asked& asked, const GradientsAt& gradientsAt) {
+    Chosen visible;
     for (std::size_t i = 0; i < p.size(); ++i) {
         ObjectSample& s = sample[i];
+        s = ObjectSample{.value = value[i]};
         if (s.value != s.value) continue;
         s.opacity = clampedOpacity(look.opacity(s.value));
-        if (s.opacity > 0) visible.push_back(std::uint32_t(i));
+        if (s.opacity > 0) visible.add(i, p[i]);
         if (s.opacity > 0 || asked.colorEverywhere) s.color = look.color(s.value);
     }
     const bool steepnessCounts = !look.gradientOpacity.points.empty();
-    if (!visible.empty() && (asked.gradient || steepnessCounts)) {
-        const std::vector<Vec3> gradient = gradientsAt(gathered(p, visible));
-        for (std::size_t n = 0; n < visible.size(); ++n) {
-            ObjectSample& s = sample[visible[n]];
-            if (asked.gradient) s.normalGradient = gradient[n];
-            if (steepnessCounts) s.opacity = clampedOpacity(s.opacity * look.gradientOpacity(glm::length(gradient[n])));
+    if (visible.count > 0 && (asked.gradient || steepnessCounts)) {
+        gradientsAt(visible.points(), visible.gradients());
+        for (std::size_t n = 0; n < visible.count; ++n) {
+            ObjectSample& s = sample[visible.index[n]];
+            const Vec3& gradient = visible.gradient[n];
+            if (asked.gradient) s.normalGradient = gradient;
+            if (steepnessCounts) s.opacity = clampedOpacity(s.opacity * look.gradientOpacity(glm::length(gradient)));
         }
     }
     if (asked.attribute && !asked.scalar())
@@ -91,25 +107,20 @@ std::vector<Vec3> gathered(std::span<const Vec3> p, std::span<const std::uint32_
 
 void evaluateVolume(const VolumeTerm& node, std::span<const Vec3> p, std::span<ObjectSample> sample,
                     const Asked& asked) {
-    std::array<double, kBlock> value;
-    node.volume->sample(p, std::span(value).first(p.size()), node.channel, node.interpolation);
-    for (std::size_t i = 0; i < p.size(); ++i) sample[i] = ObjectSample{.value = value[i]};
-    classify(node.appearance, p, sample, asked, [&](const std::vector<Vec3>& at) {
-        std::vector<Vec3> gradient(at.size());
+    std::array<double, kBlock> values;
+    const std::span<double> value = std::span(values).first(p.size());
+    node.volume->sample(p, value, node.channel, node.interpolation);
+    classify(node.appearance, value, p, sample, asked, [&](std::span<const Vec3> at, std::span<Vec3> gradient) {
         node.volume->gradient(at, gradient, node.channel, node.interpolation);
-        return gradient;
     });
 }
 
 void evaluateMesh(const MeshTerm& node, std::span<const Vec3> p, std::span<ObjectSample> sample, const Asked& asked) {
-    std::array<double, kBlock> value;
-    node.field->sample(p, std::span(value).first(p.size()));
-    for (std::size_t i = 0; i < p.size(); ++i) sample[i] = ObjectSample{.value = value[i]};
-    classify(node.appearance, p, sample, asked, [&](const std::vector<Vec3>& at) {
-        std::vector<Vec3> gradient(at.size());
-        node.field->gradient(at, gradient);
-        return gradient;
-    });
+    std::array<double, kBlock> values;
+    const std::span<double> value = std::span(values).first(p.size());
+    node.field->sample(p, value);
+    classify(node.appearance, value, p, sample, asked,
+             [&](std::span<const Vec3> at, std::span<Vec3> gradient) { node.field->gradient(at, gradient); });
 }
 
 void evaluateSolid(const SolidTerm& node, std::span<const Vec3> p, std::span<ObjectSample> sample, const Asked& asked) {
