@@ -44,6 +44,7 @@ public:
     bool bigEndian() const { return swapped_ == (std::endian::native == std::endian::little); }
     std::string_view magic() const { return {reinterpret_cast<const char*>(bytes_.data()) + 344, 3}; }
     int dim(int n) const { return integer<std::int16_t>(40 + 2 * std::size_t(n)); }
+    int intent() const { return integer<std::int16_t>(68); }
     int datatype() const { return integer<std::int16_t>(70); }
     int bitsPerVoxel() const { return integer<std::int16_t>(72); }
     double pixdim(int n) const { return real(76 + 4 * std::size_t(n)); }
@@ -90,7 +91,10 @@ Datatype datatypeOf(const Source& source, int code) {
     return found->second;
 }
 
+constexpr int kDisplacementIntent = 1006, kVectorIntent = 1007;
+
 /// Sizes, channels and their strides: dimensions 1 to 3 are space, 4 time, 5 the components, each slower than the last.
+/// Some writers of vectors put the components where time stands.
 void readShape(const Source& source, const NiftiHeader& h, StoredVolume& stored, VolumeSink& sink) {
     const std::string where = source.name + ", dim";
     const int dims = h.dim(0);
@@ -100,6 +104,8 @@ void readShape(const Source& source, const NiftiHeader& h, StoredVolume& stored,
         if (h.dim(d) < 1) throw Error(where, "has a size of " + std::to_string(h.dim(d)), "sizes must be 1 or more");
         n[std::size_t(d)] = std::uint64_t(h.dim(d));
     }
+    const bool vectors = h.intent() == kDisplacementIntent || h.intent() == kVectorIntent;
+    if (vectors && n[5] == 1 && n[4] == 3) std::swap(n[4], n[5]);
     const Datatype kind = datatypeOf(source, h.datatype());
     stored.type = kind.type;
     const std::uint64_t all = checkProduct(where, {kind.channels, n[1], n[2], n[3], n[4], n[5], n[6], n[7], 8}) / 8;
@@ -109,6 +115,10 @@ void readShape(const Source& source, const NiftiHeader& h, StoredVolume& stored,
         stored.channels = n[5];
         stored.stride[3] = n[1] * n[2] * n[3] * n[4];
     }
+    if (h.intent() == kDisplacementIntent)
+        sink.warn(source.name +
+                  ": its intent is displacement vectors, which NIfTI gives in RAS; their components were "
+                  "taken as stored, so as a map in LPS x and y need the other sign");
     if (n[4] > 1) sink.warn(source.name + ": has " + std::to_string(n[4]) + " time steps; the first is shown");
     if (n[6] > 1 || n[7] > 1 || (n[5] > 1 && kind.channels > 1))
         sink.warn(source.name + ": has more than five dimensions; of the others the first element is shown");
