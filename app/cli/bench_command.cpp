@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/bench_formulas.h"
 #include "app/cli/commands.h"
 #include "app/cli/drawing.h"
 #include "core/base/error.h"
@@ -114,6 +115,7 @@ int bench(BenchArguments a, const CommonArguments& common) {
         part["start_to_first_picture_ms"] = benchStart(a, renderer);
         json[renderer] = part;
     }
+    json["formulas"] = benchFormulas(std::max(a.repeats, 9));
     json["peak_mib"] = peakMebibytes();
     std::cout << json.dump(2) << "\n";
     return 0;

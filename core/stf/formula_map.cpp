@@ -13,38 +13,89 @@ namespace {
 constexpr std::size_t kBlock = 256;
 constexpr std::array<int, 3> kCoordinates{0, 1, 2};
 
-/// Coordinates of a block of points and a graph's outputs for them, each number's values in a row.
+using Rows = std::array<std::array<double, kBlock>, 3>;  // coordinates of a block of points, each in a row
+using RowPointers = std::array<const double*, 3>;
+
+RowPointers pointersTo(const Rows& rows) {
+    return {rows[0].data(), rows[1].data(), rows[2].data()};
+}
+
+/// to = m · from for `count` points; `m` is affine.
+void transformRows(const Mat4& m, const RowPointers& from, Rows& to, std::size_t count) {
+    const bool aligned = m[0][1] == 0 && m[0][2] == 0 && m[1][0] == 0 && m[1][2] == 0 && m[2][0] == 0 && m[2][1] == 0;
+    for (int r = 0; r < 3; ++r) {
+        double* row = to[std::size_t(r)].data();
+        const double offset = m[3][r];
+        if (aligned) {  // most frames are boxes
+            const double scale = m[r][r];
+            const double* x = from[std::size_t(r)];
+            for (std::size_t i = 0; i < count; ++i) row[i] = scale * x[i] + offset;
+        } else {
+            const double mx = m[0][r], my = m[1][r], mz = m[2][r];
+            const auto [x, y, z] = from;
+            for (std::size_t i = 0; i < count; ++i) row[i] = mx * x[i] + my * y[i] + mz * z[i] + offset;
+        }
+    }
+}
+
+/// A block of points and a graph's outputs for them, each number's values in a row.
 class Block {
 public:
     /// For at most `capacity` points, which is at most kBlock.
     Block(int outputs, std::size_t capacity) : values_(std::size_t(outputs) * capacity) {
-        for (int o = 0; o < outputs; ++o) pointers_.push_back(values_.data() + std::size_t(o) * capacity);
+        for (int o = 0; o < outputs; ++o) outputs_.push_back(values_.data() + std::size_t(o) * capacity);
     }
 
-    void setPoints(std::span<const Vec3> p, const Mat4* formulaFromWorld) {
+    /// Evaluates `graph` at `p`, moved by formulaFromWorld (null: the identity).
+    void evaluate(const FormulaGraph& graph, std::span<const double> parameters, std::span<const Vec3> p,
+                  const Mat4* formulaFromWorld) {
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const Vec3 u = formulaFromWorld ? transformPoint(*formulaFromWorld, p[i]) : p[i];
-            for (int c = 0; c < 3; ++c) points_[std::size_t(c)][i] = u[c];
+            points_[0][i] = p[i].x;
+            points_[1][i] = p[i].y;
+            points_[2][i] = p[i].z;
         }
+        if (formulaFromWorld) transformRows(*formulaFromWorld, pointersTo(points_), moved_, p.size());
+        graph.evaluate(pointersTo(formulaFromWorld ? moved_ : points_), parameters, outputs_, p.size());
     }
-    void evaluate(const FormulaGraph& graph, std::span<const double> parameters, std::size_t count) {
-        const std::array<const double*, 3> variables{points_[0].data(), points_[1].data(), points_[2].data()};
-        graph.evaluate(variables, parameters, pointers_, count);
-    }
-    double output(int o, std::size_t i) const { return pointers_[std::size_t(o)][i]; }
+
+    double output(int o, std::size_t i) const { return outputs_[std::size_t(o)][i]; }
 
     /// Outputs 0, 1, 2 at point i; kUndefined where they, or the condition in output 3, say so.
     Vec3 point(std::size_t i, bool condition) const {
         const Vec3 q(output(0, i), output(1, i), output(2, i));
-        const bool defined = std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
-        // A condition that is NaN holds: what cannot be decided is not shown.
-        return defined && !(condition && output(3, i) != 0) ? q : kUndefined;
+        return isShown(q.x, q.y, q.z, condition ? output(3, i) : 0) ? q : kUndefined;
+    }
+
+    /// The same for all points, moved by worldFromFormula (null: the identity); where they are undefined, the points
+    /// themselves, if `keep`. Points that are undefined themselves stay so.
+    void writePoints(std::span<Vec3> q, bool condition, bool keep, const Mat4* worldFromFormula) {
+        if (worldFromFormula)
+            transformRows(*worldFromFormula, {outputs_[0], outputs_[1], outputs_[2]}, moved_, q.size());
+        const auto [x, y, z] =
+            worldFromFormula ? pointersTo(moved_) : RowPointers{outputs_[0], outputs_[1], outputs_[2]};
+        const auto [px, py, pz] = pointersTo(points_);
+        std::array<double, kBlock> shown;  // 1 or 0
+        for (std::size_t i = 0; i < q.size(); ++i) shown[i] = isShown(x[i], y[i], z[i], 0) ? 1 : 0;
+        if (const double* hidden = condition ? outputs_[3] : nullptr)
+            for (std::size_t i = 0; i < q.size(); ++i) shown[i] = hidden[i] != 0 ? 0 : shown[i];
+        for (std::size_t i = 0; i < q.size(); ++i) {
+            const Vec3 p(px[i], py[i], pz[i]);
+            const Vec3 instead = keep ? p : kUndefined;
+            // A formula without x, y, z is defined everywhere, but nothing is where p is undefined.
+            q[i] = !isDefined(p) ? kUndefined : shown[i] != 0 ? Vec3(x[i], y[i], z[i]) : instead;
+        }
     }
 
 private:
-    std::array<std::array<double, kBlock>, 3> points_;
+    /// A condition that is NaN holds: what cannot be decided is not shown.
+    static bool isShown(double x, double y, double z, double hidden) {
+        // Differences of equal numbers are 0 where those are finite, else NaN.
+        return (x - x) + (y - y) + (z - z) == 0 && hidden == 0;
+    }
+
+    Rows points_, moved_;
     std::vector<double> values_;
-    std::vector<double*> pointers_;
+    std::vector<double*> outputs_;
 };
 
 bool isFinite(const Box3& box) {
@@ -91,8 +142,7 @@ private:
         std::array<Vec3, 9> p;
         for (int c = 0; c < 8; ++c) p[std::size_t(c)] = box.corner(c);
         p[8] = box.center();
-        block_.setPoints(p, nullptr);
-        block_.evaluate(map_.formula(), map_.parameters(), p.size());
+        block_.evaluate(map_.formula(), map_.parameters(), p, nullptr);
         Box3 hull;
         for (std::size_t i = 0; i < p.size(); ++i)
             if (const Vec3 q = block_.point(i, map_.hasCondition()); isDefined(q)) hull = join(hull, q);
@@ -122,20 +172,11 @@ void FormulaMap::map(std::span<const Vec3> p, std::span<Vec3> q) const {
     assert(p.size() == q.size());
     Block block(parts_.formula.outputCount(), std::min(kBlock, p.size()));
     for (std::size_t begin = 0; begin < p.size(); begin += kBlock) {
-        const auto part = p.subspan(begin, std::min(kBlock, p.size() - begin));
-        block.setPoints(part, aroundIdentity_ ? nullptr : &parts_.formulaFromWorld);
-        block.evaluate(parts_.formula, parts_.parameters, part.size());
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            const Vec3 from = part[i], given = block.point(i, hasCondition());
-            // A formula without x, y, z is defined everywhere, but nothing is where p is undefined.
-            Vec3& to = q[begin + i];
-            if (!isDefined(from))
-                to = kUndefined;
-            else if (isDefined(given))
-                to = aroundIdentity_ ? given : transformPoint(parts_.worldFromFormula, given);
-            else
-                to = parts_.outside == Outside::Keep ? from : kUndefined;
-        }
+        const std::size_t count = std::min(kBlock, p.size() - begin);
+        block.evaluate(parts_.formula, parts_.parameters, p.subspan(begin, count),
+                       aroundIdentity_ ? nullptr : &parts_.formulaFromWorld);
+        block.writePoints(q.subspan(begin, count), hasCondition(), parts_.outside == Outside::Keep,
+                          aroundIdentity_ ? nullptr : &parts_.worldFromFormula);
     }
 }
 
@@ -146,11 +187,10 @@ void FormulaMap::jacobian(std::span<const Vec3> p, std::span<Mat3> jacobian) con
     Block block(withDerivatives_.outputCount(), std::min(kBlock, p.size()));
     for (std::size_t begin = 0; begin < p.size(); begin += kBlock) {
         const auto part = p.subspan(begin, std::min(kBlock, p.size() - begin));
-        block.setPoints(part, aroundIdentity_ ? nullptr : &parts_.formulaFromWorld);
-        block.evaluate(withDerivatives_, parts_.parameters, part.size());
+        block.evaluate(withDerivatives_, parts_.parameters, part, aroundIdentity_ ? nullptr : &parts_.formulaFromWorld);
         for (std::size_t i = 0; i < part.size(); ++i) {
             Mat3 j;
-            bool finite = isDefined(part[i]) && isDefined(block.point(i, hasCondition()));
+            bool finite = isDefined(part[i]) && isDefined(block.point(i, outputs > 3));
             for (int o = 0; o < 3; ++o)
                 for (int n = 0; n < 3; ++n) {
                     j[n][o] = block.output(outputs + 3 * o + n, i);
