@@ -82,6 +82,9 @@ struct FormulaGraph::Nodes {
 
 /// One operation on numbers; `node` is no Variable and no Parameter.
 double applied(const FormulaNode& node, double a, double b, double c);
+/// The same for an operation with one operand and without a payload, and for noise.
+double appliedFunction(Op op, double a);
+double appliedNoise(std::uint64_t payload, double x, double y, double z);
 
 /// Values of all uniform nodes for `parameters`; those of others stay as they are. `values` has one entry a node.
 void evaluateUniform(const FormulaGraph::Nodes& graph, std::span<const double> parameters, std::span<double> values);

@@ -17,10 +17,8 @@ bool isCondition(Op op) {
     return op == Op::Not || (op >= Op::Less && op <= Op::Or);
 }
 
-namespace {
-
-double appliedToOne(const FormulaNode& node, double a) {
-    switch (node.op) {
+double appliedFunction(Op op, double a) {
+    switch (op) {
         case Op::Negate:
             return -a;
         case Op::Absolute:
@@ -63,13 +61,13 @@ double appliedToOne(const FormulaNode& node, double a) {
             return std::log2(a);
         case Op::Not:
             return 1.0 - a;
-        case Op::IntegerPower:
-            return scalar::integerPower(a, static_cast<int>(node.payload));
         default:
             assert(false);
             return kNaN;
     }
 }
+
+namespace {
 
 double appliedToTwo(Op op, double a, double b) {
     switch (op) {
@@ -111,11 +109,16 @@ double appliedToTwo(Op op, double a, double b) {
 
 }  // namespace
 
+double appliedNoise(std::uint64_t payload, double x, double y, double z) {
+    return noise(x, y, z, noiseOrder(payload));
+}
+
 double applied(const FormulaNode& node, double a, double b, double c) {
     if (node.op == Op::Constant) return node.value();
     if (node.op == Op::Select) return scalar::select(a, b, c);
-    if (node.op == Op::Noise) return noise(a, b, c, noiseOrder(node.payload));
-    return operandCount(node.op) == 1 ? appliedToOne(node, a) : appliedToTwo(node.op, a, b);
+    if (node.op == Op::Noise) return appliedNoise(node.payload, a, b, c);
+    if (node.op == Op::IntegerPower) return scalar::integerPower(a, static_cast<int>(node.payload));
+    return operandCount(node.op) == 1 ? appliedFunction(node.op, a) : appliedToTwo(node.op, a, b);
 }
 
 void evaluateUniform(const FormulaGraph::Nodes& graph, std::span<const double> parameters, std::span<double> values) {
