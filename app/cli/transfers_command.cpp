@@ -96,6 +96,14 @@ std::string spaceOf(const TransferDefinition& d) {
            (d.usesOutside() ? "; `outside` says what happens where it is undefined" : "");
 }
 
+/// The map's own formulas.
+std::vector<std::pair<std::string, std::string>> mapFormulas(const TransferDefinition& d) {
+    auto formulas = d.formulas();
+    std::erase_if(formulas,
+                  [](const auto& f) { return f.first.starts_with("check ") || f.first.starts_with("image "); });
+    return formulas;
+}
+
 void printText(const TransferDefinition& d) {
     std::cout << d.name() << ": " << d.title() << "\n" << d.description() << "\n";
     if (!d.source().empty()) std::cout << "Source: " << d.source() << "\n";
@@ -103,7 +111,7 @@ void printText(const TransferDefinition& d) {
     for (const TransferParameter& p : d.parameters())
         std::cout << "  " << p.name << " (" << formOf(p) << "; " << defaultOf(p) << "): " << p.description << "\n";
     std::cout << "\n";
-    for (const auto& [what, text] : d.formulas()) std::cout << "  " << what << " = " << text << "\n";
+    for (const auto& [what, text] : mapFormulas(d)) std::cout << "  " << what << " = " << text << "\n";
 }
 
 void printMarkdown(const TransferDefinition& d) {
@@ -114,7 +122,7 @@ void printMarkdown(const TransferDefinition& d) {
         std::cout << "| `" << p.name << "` | " << formOf(p) << " | " << defaultOf(p) << " | " << p.description
                   << " |\n";
     std::cout << "\n" << char(std::toupper(spaceOf(d)[0])) << spaceOf(d).substr(1) << ":\n\n```\n";
-    for (const auto& [what, text] : d.formulas()) {
+    for (const auto& [what, text] : mapFormulas(d)) {
         std::istringstream lines(text);
         std::string prefix = what + " = ";
         for (std::string line; std::getline(lines, line); prefix.clear())

@@ -16,7 +16,8 @@ using Kind = TransferParameter::Kind;
 /// The fewest digits that give the number back.
 std::string shown(double number) {
     std::array<char, 32> text;
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+    // −0 is written as 0.
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number + 0.0).ptr};
 }
 
 std::string expectedFor(const TransferParameter& parameter) {

@@ -78,6 +78,15 @@ std::vector<std::pair<std::string, std::string>> formulasOf(const FormulaFile& f
     add("y", file.y);
     add("z", file.z);
     add("undefined", file.undefined);
+    for (const FormulaFileCheck& check : file.checks) add("check " + check.message, check.condition);
+    if (!file.image) return formulas;
+    for (const auto* lets : {&file.image->lets, &file.image->laterLets})
+        for (const FormulaLet& let : *lets) add("image let " + let.name, let.formula);
+    for (const FormulaFileOver& over : file.image->overs)
+        for (const FormulaText& value : over.values) add("image over " + over.name, value);
+    add("image point", file.image->point);
+    add("image min", file.image->min);
+    add("image max", file.image->max);
     return formulas;
 }
 

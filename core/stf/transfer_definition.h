@@ -32,8 +32,8 @@ struct TransferParameter {
     std::string unit;  // "" (normalised or a ratio), "degrees", "length" (world units), "position" (world coordinates)
     std::string description;                  // one line
     std::optional<TransferArgument> initial;  // what a missing member means; nullopt: required
-    /// What the editor starts with. Where it is not `initial`, lengths are in sides of the operand's box and positions in
-    /// its normalised coordinates: see suggestedFor.
+    /// What the editor starts with. Where it is not `initial`, lengths are in sides of the operand's box and positions
+    /// in its normalised coordinates: see suggestedFor.
     TransferArgument suggested;
     bool uniform = false;  // a vector for which one number may stand, meaning three equal ones
     /// Allowed values of each number, and the range of the editor's slider within it; see sliderFor.
@@ -68,7 +68,7 @@ public:
     const TransferParameter* find(const std::string& parameter) const;
     bool usesFrame() const { return usesFrame_; }      // false: world coordinates only (insideOut, deflect …)
     bool usesOutside() const { return usesOutside_; }  // a bounded STF (definitions.md §3.2, Domain)
-    /// The formulas as written, for the docs: (what it is, text).
+    /// All formulas as written: (what it is, text), those of the map first, then "check …" and "image …".
     const std::vector<std::pair<std::string, std::string>>& formulas() const { return formulas_; }
 
     /// What an application of it needs.
