@@ -30,7 +30,8 @@ Box3 boundsOfScene(const Workspace& workspace) {
 Transfer libraryUse(const TransferDefinition& definition, const std::string& written, bool isFile, const Box3& box) {
     LibraryTransfer use{written, isFile, {}};
     for (const TransferParameter& parameter : definition.parameters())
-        if (!parameter.initial) use.arguments[parameter.name] = sceneArgument(parameter, suggestedFor(parameter, box));
+        if (!parameter.initial || parameter.suggested != *parameter.initial)
+            use.arguments[parameter.name] = sceneArgument(parameter, suggestedFor(parameter, box));
     Transfer transfer;
     transfer.kind = std::move(use);
     return transfer;
