@@ -155,12 +155,16 @@ CompiledScene compile(const Scene& scene, const LoadedAssets& assets, double t, 
     return compiled;
 }
 
+const std::map<std::string, Frame>& defaultFrames(const CompiledScene& scene) {
+    return scene.cache->start->frames;
+}
+
 Scene withDefaultsWrittenOut(const Scene& scene, const LoadedAssets& assets) {
     const CompiledScene compiled = compile(scene, assets, startTime(scene), nullptr);
     Scene written = scene;
     if (!written.camera) written.camera = compiled.camera;
     if (!written.opacityDistance) written.opacityDistance = compiled.opacityDistance;
-    writeFrames(written, compiled.cache->start->frames);
+    writeFrames(written, defaultFrames(compiled));
     return written;
 }
 

@@ -49,6 +49,9 @@ struct CompiledScene {
 CompiledScene compile(const Scene& scene, const LoadedAssets& assets, double t, const CompiledScene* previous,
                       double aspect = 4.0 / 3.0);
 
+/// The frames that transfers without one of their own have taken, by the paths of the transfers (core/scene/nodes.h).
+const std::map<std::string, Frame>& defaultFrames(const CompiledScene& scene);
+
 /// A copy of `scene` with all that the contract says saving writes out: frames left out, camera, opacityDistance.
 Scene withDefaultsWrittenOut(const Scene& scene, const LoadedAssets& assets);
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/stf/transfer_definition.h"
 
 namespace voledit {
 
@@ -30,7 +31,7 @@ public:
     /// One more input.
     template <class Input>
     void add(const Input& input) {
-        if constexpr (std::is_trivially_copyable_v<Input>)  // numbers, vectors, boxes, frames: none has padding
+        if constexpr (kIsFlat<Input>)
             bytes_.append(reinterpret_cast<const char*>(&input), sizeof(Input));
         else
             addParts(input);
@@ -40,6 +41,13 @@ public:
     const std::vector<std::shared_ptr<const void>>& owners() const { return owners_; }
 
 private:
+    /// Types whose bytes are their value: no padding, nothing unset (an empty optional has both).
+    template <class T>
+    static constexpr bool kIsFlat =
+        std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T> || std::is_same_v<T, Vec2> ||
+        std::is_same_v<T, Vec3> || std::is_same_v<T, Mat4> || std::is_same_v<T, Index3> || std::is_same_v<T, Box3> ||
+        std::is_same_v<T, Frame> || std::is_same_v<T, LineValue> || std::is_same_v<T, ColorTable::Point>;
+
     void addParts(const std::string& text) {
         add(text.size());
         bytes_ += text;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -9,64 +10,90 @@ namespace voledit {
 
 namespace {
 
-constexpr int kLeaves = 8;                // an axis: leaves that may be left out
-constexpr int kPoints = 2 * kLeaves + 1;  // samples an axis: each leaf has 3×3×3
-constexpr int kRounds = 6;
+constexpr int kCells = 8;        // an axis, at first
+constexpr int kRefinements = 3;  // each halves the cells that matter
+constexpr std::size_t kMostCellsKept = 20'000;
+constexpr int kRounds = 8;
 const Box3 kEverywhere{Vec3(-kInfinity), Vec3(kInfinity)};
 
-/// |Δ| of a map in a box, sampled where the map may reach `rest`.
+/// Seeks the largest |Δ| of a map in a box, over all points or over those that it carries into `target`.
 class DisplacementSearch {
 public:
-    DisplacementSearch(const SpatialTransferFunction& map, const Box3& where, const Box3& rest)
-        : map_(map), where_(where), rest_(rest), p_(kPoints * kPoints * kPoints), delta_(p_.size()) {
-        for (std::size_t n = 0; n < p_.size(); ++n) {
-            const auto i = int(n % kPoints), j = int(n / kPoints % kPoints), k = int(n / (kPoints * kPoints));
-            p_[n] = at(Vec3(i, j, k) / double(kPoints - 1));
-        }
-        map.map(p_, delta_);
-        for (std::size_t n = 0; n < p_.size(); ++n) delta_[n] -= p_[n];
+    DisplacementSearch(const SpatialTransferFunction& map, const Box3& where, const Box3* target)
+        : map_(map), target_(target), cells_(std::size_t(kCells * kCells * kCells)) {
+        size_ = (where.max - where.min) / double(kCells);
+        for (std::size_t n = 0; n < cells_.size(); ++n)
+            cells_[n] = where.min + Vec3(n % kCells, n / kCells % kCells, n / (kCells * kCells)) * size_;
     }
 
     double largest() {
-        search(Index3(0), kLeaves);
-        return largest_;
+        double bound = examine();
+        for (int n = 0; n < kRefinements && !cells_.empty() && cells_.size() < kMostCellsKept / 8; ++n) {
+            refine();
+            bound = examine();
+        }
+        return std::max(seen_, bound);
     }
 
 private:
-    Vec3 at(const Vec3& fraction) const { return where_.min + fraction * (where_.max - where_.min); }
+    static constexpr std::size_t kSamples = 9;  // of a cell: its corners and its middle
 
-    /// Leaves from `first`, `side` an axis.
-    void search(Index3 first, int side) {
-        const Box3 box{at(Vec3(first) / double(kLeaves)), at(Vec3(first + side) / double(kLeaves))};
-        const auto reaches = [&](const Box3& source) { return !intersect(source, rest_).empty(); };
-        if (!map_.anySourceBox(box, reaches)) return;
-        if (side == 1) return measure(first);
-        for (int c = 0; c < 8; ++c) search(first + side / 2 * Index3(c & 1, c >> 1 & 1, c >> 2), side / 2);
-    }
-
-    const Vec3& deltaAt(Index3 point) const {
-        return delta_[std::size_t(point.x + kPoints * (point.y + kPoints * point.z))];
-    }
-
-    void measure(Index3 leaf) {
-        double largest = 0;
-        Vec3 corners(0);
-        for (int n = 0; n < 27; ++n) {
-            const Index3 offset(n % 3, n / 3 % 3, n / 9);
-            const Vec3& delta = deltaAt(2 * leaf + offset);
-            if (isDefined(delta)) largest = std::max(largest, glm::length(delta));
-            if (offset.x != 1 && offset.y != 1 && offset.z != 1) corners += delta;
+    /// Samples all cells and keeps those that may hold more than what was seen; gives the most that they may hold.
+    double examine() {
+        std::vector<Vec3> p(cells_.size() * kSamples), q(p.size());
+        for (std::size_t n = 0; n < cells_.size(); ++n)
+            for (std::size_t c = 0; c < kSamples; ++c)
+                p[n * kSamples + c] = cells_[n] + (c < 8 ? Vec3(c & 1, c >> 1 & 1, c >> 2) : Vec3(0.5)) * size_;
+        map_.map(p, q);
+        for (std::size_t n = 0; n < p.size(); ++n)
+            if (isDefined(q[n]) && (!target_ || target_->contains(q[n]))) see(glm::length(q[n] - p[n]));
+        std::vector<Vec3> kept;
+        double bound = 0;
+        for (std::size_t n = 0; n < cells_.size(); ++n) {
+            const double most =
+                mostIn(std::span(p).subspan(n * kSamples, kSamples), std::span(q).subspan(n * kSamples, kSamples));
+            if (!(most > seen_ * (1 + 1e-9))) continue;
+            kept.push_back(cells_[n]);
+            bound = std::max(bound, most);
         }
-        // Between samples: a smooth Δ leaves the straight line at most about half as far as it does over two samples.
-        const double bend = glm::length(deltaAt(2 * leaf + 1) - corners / 8.0);
-        if (bend > 1e-12 * largest) largest += 0.5 * bend;  // false where one of them is undefined
-        if (std::isfinite(largest)) largest_ = std::max(largest_, largest);
+        cells_ = std::move(kept);
+        return bound;
+    }
+
+    void see(double length) {
+        if (std::isfinite(length)) seen_ = std::max(seen_, length);
+    }
+
+    /// The most that |Δ| may be in a cell, as far as its samples tell: 0 where it does not reach the target. An affine
+    /// Δ does not bend; what a smooth one bends, it may rise by between its samples.
+    double mostIn(std::span<const Vec3> p, std::span<const Vec3> q) const {
+        Box3 sources;
+        double most = 0;
+        Vec3 bend = q[8] - p[8];
+        for (std::size_t c = 0; c < kSamples; ++c) {
+            if (c < 8) bend -= (q[c] - p[c]) / 8.0;
+            if (!isDefined(q[c]) || !std::isfinite(glm::length(q[c]))) continue;
+            sources = join(sources, q[c]);
+            most = std::max(most, glm::length(q[c] - p[c]));
+        }
+        const double bent = isDefined(bend) ? glm::length(bend) : 0;
+        if (sources.empty() || (target_ && intersect(grown(sources, bent), *target_).empty())) return 0;
+        return most + bent;
+    }
+
+    void refine() {
+        size_ = 0.5 * size_;
+        std::vector<Vec3> finer;
+        for (const Vec3& cell : cells_)
+            for (int c = 0; c < 8; ++c) finer.push_back(cell + Vec3(c & 1, c >> 1 & 1, c >> 2) * size_);
+        cells_ = std::move(finer);
     }
 
     const SpatialTransferFunction& map_;
-    const Box3 where_, rest_;
-    std::vector<Vec3> p_, delta_;
-    double largest_ = 0;
+    const Box3* target_;
+    std::vector<Vec3> cells_;  // their lower corners
+    Vec3 size_;
+    double seen_ = 0;
 };
 
 bool isFinite(const Box3& box) {
@@ -83,13 +110,14 @@ Box3 grown(const Box3& box, double distance) {
 
 Box3 imageByDisplacement(const SpatialTransferFunction& map, const Box3& rest, const Box3& likely) {
     if (rest.empty() || !isFinite(rest)) return rest;
-    Box3 where = isFinite(likely) ? join(rest, likely) : rest;
-    double reach = 0;
+    const Box3 start = isFinite(likely) ? join(rest, likely) : rest;
+    double reach = DisplacementSearch(map, start, nullptr).largest();
     for (int round = 0; round < kRounds; ++round) {
         const double before = reach;
-        reach = DisplacementSearch(map, where, rest).largest();
-        if (round > 0 && reach <= before) break;  // all that the last box can hold lies in this one
-        where = grown(rest, reach);
+        reach = DisplacementSearch(map, grown(rest, before), &rest).largest();
+        // All that it holds lies in a smaller box, and a search of that would not tell much better.
+        if (reach <= before && reach > 0.9 * before) break;
+        if (reach == 0) break;
     }
     return grown(rest, reach);
 }

@@ -8,7 +8,7 @@ namespace voledit {
 
 /// `rest` grown on all sides by the largest |Δ| of the points that `map` carries into it. Those are sought near
 /// `likely` (world units; for combinations, where each operand alone would take `rest`) and, as the box grows, within
-/// it. |Δ| is sampled (README.md): exact where Δ is affine; features of Δ narrower than a sixteenth of the box may be
+/// it. |Δ| is sampled (README.md): exact for translations; features of Δ narrower than an eighth of the box may be
 /// missed.
 Box3 imageByDisplacement(const SpatialTransferFunction& map, const Box3& rest, const Box3& likely);
 
