@@ -139,6 +139,11 @@ private:
     int sum_ = -1;
 };
 
+/// True where `k`, a unit vector, is a constant along axis `c`.
+bool isAxis(const GraphBuilder& g, const FormulaValue& k, int c) {
+    return g.isConstant(k.component(c), 1) || g.isConstant(k.component(c), -1);
+}
+
 /// Rodrigues: v cos + (k × v) sin + k (k·v)(1 − cos), k the unit axis.
 FormulaValue rotate(GraphBuilder& g, Arguments a) {
     const FormulaValue v = a[0], k = normalize(g, a.subspan(1, 1));
@@ -150,6 +155,10 @@ FormulaValue rotate(GraphBuilder& g, Arguments a) {
     FormulaValue result{.width = 3};
     for (int c = 0; c < 3; ++c) {
         const int next = (c + 1) % 3, last = (c + 2) % 3;
+        if (isAxis(g, k, c)) {
+            result.node[static_cast<std::size_t>(c)] = v.component(c);
+            continue;
+        }
         TermSum crossed(g), sum(g);
         crossed.add({k.component(next), v.component(last)});
         crossed.add({k.component(last), v.component(next)}, true);
