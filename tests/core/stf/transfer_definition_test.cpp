@@ -124,6 +124,24 @@ TEST(TransferDefinition, DirectionsOfAnyLengthAreDirections) {
     }
 }
 
+TEST(TransferDefinition, FramesWithoutVolumeShowNothing) {
+    for (const Box3& flat : {Box3{{0, 0, 0}, {1, 0, 1}}, Box3{Vec3(3), Vec3(3)}, Box3{}})
+        for (const LibraryCase& c : libraryCases()) {
+            if (!libraryTransfer(c.name)->usesFrame()) continue;
+            const auto map = library(c.name, c.arguments, 0.5, Outside::Hide, flat);
+            // Coordinates of a flat frame are no numbers; what a formula says of them may be anything but a crash.
+            const auto points = randomPoints(testBox(), 300);
+            std::vector<Mat3> j(points.size());
+            map->jacobian(points, j);
+            for (const Vec3& q : mappedBy(*map, points)) EXPECT_FALSE(isDefined(q)) << c.name;
+            EXPECT_TRUE(map->imageOf(Box3{}).empty());
+            map->imageOf(flat);
+            int boxes = 0;
+            map->anySourceBox(testBox(), [&](const Box3&) { return ++boxes, false; });
+            EXPECT_LE(boxes, 8);
+        }
+}
+
 TEST(TransferDefinition, SuggestionsAreOfTheOperandsSize) {
     const Box3 box = testBox();
     const auto suggested = [&](const char* transfer, const char* parameter) {
