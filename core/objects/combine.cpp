@@ -21,15 +21,16 @@ bool hasValue(const ObjectSample& s) {
 ObjectSample combined(std::span<const ObjectSample> preImages, Combine by) {
     if (preImages.empty()) return {};
     ObjectSample result = preImages.front();
-    const ObjectSample *largest = &preImages.front(), *smallest = largest;
+    const ObjectSample *largest = &preImages.front(), *smallest = largest, *scalar = largest;
     for (const ObjectSample& s : preImages.subspan(1)) {
         if (by != Combine::First) result = cvg(operatorOf(by), result, s);
-        if (s.opacity > largest->opacity || (s.opacity == largest->opacity && hasValue(s) && !hasValue(*largest)))
-            largest = &s;
+        if (s.opacity > scalar->opacity || (s.opacity == scalar->opacity && hasValue(s) && !hasValue(*scalar)))
+            scalar = &s;
+        if (s.opacity > largest->opacity) largest = &s;
         if (s.opacity < smallest->opacity) smallest = &s;
     }
     // Of all pre-images at once: a sum of two need not outdo the third.
-    result.value = largest->value;
+    result.value = scalar->value;
     if (by == Combine::Union || by == Combine::Merge) result.normalGradient = largest->normalGradient;
     if (by == Combine::Intersection) result.normalGradient = smallest->normalGradient;
     return result;

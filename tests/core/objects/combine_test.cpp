@@ -59,6 +59,15 @@ TEST(Combine, FirstIsTheFirst) {
     EXPECT_EQ(first.normalGradient, Vec3(10, 0, 0));
 }
 
+TEST(Combine, OnATieTheFirstShadesThoughAnotherHasTheValue) {
+    ObjectSample plain = made(0.5, 0.1, 1);
+    plain.value = kNaN;
+    const auto s = combined(std::vector{plain, made(0.5, 0.9, 2)}, Combine::Union);
+    EXPECT_EQ(s.value, 2);
+    EXPECT_EQ(s.color, plain.color);
+    EXPECT_EQ(s.normalGradient, plain.normalGradient);
+}
+
 TEST(Combine, AnInvisibleValueCountsBeforeNone) {
     const auto s = combined(std::vector{ObjectSample{}, made(0, 0.5, 7), made(0, 0.5, 8)}, Combine::Union);
     EXPECT_EQ(s.value, 7);
