@@ -19,15 +19,23 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return h ^ h >> 16;
 }
 
-/// One of the twelve vectors to the middles of a cube's edges; four of them twice.
-std::array<double, 3> gradient(std::uint32_t h) {
-    const std::uint32_t g = h & 15u;
-    const double first = g & 1u ? -1.0 : 1.0, second = g & 2u ? -1.0 : 1.0;
-    if (g < 4u) return {first, second, 0};
-    if (g < 8u) return {first, 0, second};
-    if (g < 12u) return {0, first, second};
-    return g & 2u ? std::array<double, 3>{0, -1.0, first} : std::array<double, 3>{first, 1.0, 0};
-}
+/// By a hash's lowest four bits: the twelve vectors to the middles of a cube's edges, four of them twice.
+constexpr std::array<std::array<double, 3>, 16> kGradients{{{1, 1, 0},
+                                                            {-1, 1, 0},
+                                                            {1, -1, 0},
+                                                            {-1, -1, 0},
+                                                            {1, 0, 1},
+                                                            {-1, 0, 1},
+                                                            {1, 0, -1},
+                                                            {-1, 0, -1},
+                                                            {0, 1, 1},
+                                                            {0, -1, 1},
+                                                            {0, 1, -1},
+                                                            {0, -1, -1},
+                                                            {1, 1, 0},
+                                                            {-1, 1, 0},
+                                                            {0, -1, 1},
+                                                            {0, -1, -1}}};
 
 /// The weight 6t⁵ − 15t⁴ + 10t³ of a cell's upper end, differentiated `order` times; written with u = 1 − t, so that
 /// single precision loses nothing near 1.
@@ -78,29 +86,28 @@ double weightBound(int order) {
 
 double noise(double x, double y, double z, const std::array<int, 3>& order) {
     const std::array<double, 3> point{x, y, z};
-    std::array<double, 3> offset{};
+    const bool plain = order[0] + order[1] + order[2] == 0;
+    std::array<std::array<double, 2>, 3> offset{}, weight{}, lowered{};  // of a cell's two ends along each axis
     std::array<std::uint32_t, 3> cell{};
-    std::array<std::array<double, 2>, 3> weight{}, lowered{};
     for (std::size_t a = 0; a < 3; ++a) {
         const double base = std::floor(point[a]);
-        offset[a] = point[a] - base;
+        offset[a] = {point[a] - base, point[a] - base - 1.0};
         cell[a] = latticeIndex(base);
-        weight[a] = weights(offset[a], order[a]);
-        lowered[a] = weights(offset[a], order[a] - 1);
+        weight[a] = weights(offset[a][0], order[a]);
+        if (!plain) lowered[a] = weights(offset[a][0], order[a] - 1);
     }
     // Each corner adds weight · (gradient · distance). The second factor is linear, so by Leibniz the nth derivative by
     // one axis is (nth of the weight) · factor + n · (n−1th of the weight) · (gradient's component).
     double sum = 0;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        const std::array<std::size_t, 3> end{corner & 1u, corner >> 1 & 1u, corner >> 2};
-        const auto g = gradient(hash(cell[0] + corner % 2, cell[1] + corner / 2 % 2, cell[2] + corner / 4));
-        const double wx = weight[0][end[0]], wy = weight[1][end[1]], wz = weight[2][end[2]];
-        const double along = g[0] * (offset[0] - double(end[0])) + g[1] * (offset[1] - double(end[1])) +
-                             g[2] * (offset[2] - double(end[2]));
-        sum += wx * wy * wz * along;
-        if (order[0]) sum += order[0] * lowered[0][end[0]] * wy * wz * g[0];
-        if (order[1]) sum += order[1] * lowered[1][end[1]] * wx * wz * g[1];
-        if (order[2]) sum += order[2] * lowered[2][end[2]] * wx * wy * g[2];
+        const std::size_t i = corner & 1u, j = corner >> 1 & 1u, k = corner >> 2;
+        const auto& g =
+            kGradients[hash(cell[0] + (corner & 1u), cell[1] + (corner >> 1 & 1u), cell[2] + (corner >> 2)) & 15u];
+        const double wx = weight[0][i], wy = weight[1][j], wz = weight[2][k];
+        sum += wx * wy * wz * (g[0] * offset[0][i] + g[1] * offset[1][j] + g[2] * offset[2][k]);
+        if (plain) continue;
+        sum += order[0] * lowered[0][i] * wy * wz * g[0] + order[1] * lowered[1][j] * wx * wz * g[1] +
+               order[2] * lowered[2][k] * wx * wy * g[2];
     }
     return sum;
 }

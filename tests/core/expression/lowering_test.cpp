@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "tests/support/random_formulas.h"
+
 namespace voledit {
 namespace {
 
@@ -143,6 +147,41 @@ TEST(Lowering, SharedLetsStaySmallAndLargeFormulasEnd) {
     for (int i = 0; large.size() < kLongestFormula - 50; ++i) large += "sin(x+" + std::to_string(i) + ")+";
     const std::string message = errorOf(large + "x");
     EXPECT_NE(message.find("operations here"), std::string::npos) << message;
+}
+
+TEST(Lowering, DamagedFormulasCompileOrSayWhere) {
+    test::RandomFormulas random(61, {});
+    const std::vector<std::string> pieces{
+        "(",  ")",    "[",        "]", ",",    ";",        "let ",   "=",  "x",  "v",
+        " ",  ".",    ".x",       "^", "-",    "−",        "!",      "1e", "&&", "|",
+        "\n", "\xff", "\xe2\x88", "ü", "sin(", "replace(", "rotate", "9",  "?",  std::string(1, '\0')};
+    int errors = 0, compiled = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        std::string text = random.below(2) ? random.number(3) : random.vector(3);
+        for (int damage = random.below(3); damage >= 0; --damage) {
+            const std::size_t at = std::size_t(random.below(int(text.size()) + 1));
+            if (random.below(2))
+                text.insert(at, pieces[std::size_t(random.below(int(pieces.size())))]);
+            else
+                text.erase(at, std::size_t(1 + random.below(4)));
+        }
+        try {
+            FormulaGraph({}, {{{text, "damaged"}}}, test::randomFormulaSymbols());
+            ++compiled;
+        } catch (const FormulaError& error) {
+            ++errors;
+            const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
+            ASSERT_GE(error.line(), 1) << text;
+            ASSERT_LE(error.line(), lines) << text;
+            ASSERT_GE(error.column(), 1) << text;
+            ASSERT_LE(error.column(), int(text.size()) + 1) << text;
+            const std::string message = error.what();
+            ASSERT_EQ(std::count(message.begin(), message.end(), '\n'), 2) << message;
+            ASSERT_EQ(message.back(), '^') << message;
+        }
+    }
+    EXPECT_GT(errors, 10'000);
+    EXPECT_GT(compiled, 500);
 }
 
 TEST(Lowering, OrderOfErrorsFollowsTheTexts) {
