@@ -113,5 +113,27 @@ TEST(EmptySpace, AVisibleVoxelIsFoundFromItsLastNeighbour) {
     EXPECT_FALSE(seen({8, 4, 12.1})) << "outside";
 }
 
+TEST(VisibleBricks, ReachAsFarAsTheInterpolationDoes) {
+    constexpr int n = 17;
+    for (int at = 4; at <= 12; ++at) {  // one bright sample, on and beside the bricks' borders
+        std::vector<float> values(n * n * n, 0);
+        values[std::size_t(at + n * (8 + n * 8))] = 1;
+        const auto volume = Volume::fromValues({Index3(n), 1, Mat4(1.0)}, values);
+        TransferFunction f = constantLook(0, Vec3(1));
+        f.opacity.points = {{0, 0}, {1, 1}};
+        for (const Interpolation by : {Interpolation::Linear, Interpolation::Nearest, Interpolation::Cubic}) {
+            const TermPtr term = makeVolumeTerm(volume, 0, f, by);
+            int visible = 0;
+            for (double x = at - 2.4; x < at + 2.4; x += 0.1) {
+                const Vec3 p(x, 8, 8);
+                if (sampled(term, {p})[0].opacity == 0) continue;
+                ++visible;
+                EXPECT_TRUE(mayBeVisible(*term, {p, p})) << x - at;
+            }
+            EXPECT_GT(visible, by == Interpolation::Cubic ? 35 : 8);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace voledit
