@@ -89,8 +89,10 @@ std::variant<VolumeFile, MeshFile> readVolumeOrMeshFile(IoClient& io, const Inpu
 CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, double time, double aspect) {
     const Timeline& timeline = opened.scene.timeline;
     try {
-        return compile(opened.scene, opened.assets, std::isnan(time) ? timeline.start / timeline.fps : time, nullptr,
-                       aspect);
+        CompiledScene compiled = compile(opened.scene, opened.assets,
+                                         std::isnan(time) ? timeline.start / timeline.fps : time, nullptr, aspect);
+        printWarnings(compiled.warnings);
+        return compiled;
     } catch (const Error& error) {
         throw Error(input.file + ": " + error.what());
     }

@@ -122,6 +122,60 @@ TEST(SampleCommand, TellsThePathThroughTheSceneOutermostFirst) {
     EXPECT_EQ(sample["color"].size(), 3u);
 }
 
+const char* const kRising = R"([{"type":"affine","translate":[0,0,{"keys":[[0,1],[2,5]]}]}])";
+
+TEST(SampleCommand, ShowsTheSceneAtATimeOrAtTheTimelinesStart) {
+    BentBall files;
+    const std::string scene = files.scene(kRising);
+    const auto zAt = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"sample", scene, "--at", "11,12,13", "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const auto result = run("voledit", arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return json::parse(result.out)["samples"][0]["path"][0]["point"][2].get<double>();
+    };
+    EXPECT_EQ(zAt({}), 12);
+    EXPECT_EQ(zAt({"--time", "0.5"}), 11);
+    EXPECT_EQ(zAt({"--time", "99"}), 8);
+}
+
+TEST(VoxelizeCommand, ShowsTheSceneAtATime) {
+    BentBall files;
+    const auto result = run("voledit", {"voxelize", files.scene(kRising), "-o", files.at("later.nrrd"), "--what",
+                                        "scalar", "--like", files.at("ball.nrrd"), "--time", "2", "--fill", "-7"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto before = files.io.readVolume(files.at("ball.nrrd")).volume;
+    const auto after = files.io.readVolume(files.at("later.nrrd")).volume;
+    for (int k = 0; k < 24; ++k) EXPECT_EQ(after->at({7, 9, k}), k < 5 ? -7 : before->at({7, 9, k - 5})) << k;
+}
+
+TEST(SceneCommands, ReadFormulaFilesBesideTheScene) {
+    BentBall files;
+    std::ofstream(files.at("lift.stf")) << "title: Lift\ndescription: Up.\nsource: a test\n\n"
+                                           "parameter by number suggested 0.1 \"How far\"\n\n"
+                                           "[map]\nq = replace(u, 2, u[2] - by)\n";
+    const std::string scene = files.scene(R"({"type":{"file":"lift.stf"},"by":0.5,"name":"up"})");
+    const auto result = run("voledit", {"sample", scene, "--at", "11,12,13", "--json"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json entry = json::parse(result.out)["samples"][0]["path"][0];
+    EXPECT_EQ(entry["name"], "up");
+    EXPECT_NEAR(entry["point"][2].get<double>(), 13 - 0.5 * 23, 1e-12) << "half of the ball's frame";
+
+    std::ofstream(files.at("lift.stf")) << "title: Lift\ndescription: Up.\nsource: a test\n[map]\nq = u +\n";
+    const auto wrong = run("voledit", {"sample", scene, "--at", "11,12,13"});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_NE(wrong.err.find("lift.stf"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("^"), std::string::npos) << wrong.err;
+}
+
+TEST(SceneCommands, WarnOfWhatIsAllowedButOdd) {
+    BentBall files;
+    const std::string deflect = R"({"type":"deflect","center":[11,11,11],"radius":4,"translate":[9,0,0]})";
+    const auto result = run("voledit", {"sample", files.scene(deflect), "--at", "11,12,13"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("warning: /root/by/0"), std::string::npos) << result.err;
+}
+
 TEST(ConvertCommand, RoundTripsThroughEveryFormatKeepVoxelsAndGrid) {
     BentBall files;
     std::string from = files.at("ball.nrrd");
