@@ -138,6 +138,21 @@ std::optional<FieldRef> operandOf(const Field& field) {
     return std::nullopt;
 }
 
+/// A component's `of` of type `fields` is read as an STF, whose component is the same field.
+FieldRef asWritten(const FieldRef& field) {
+    const auto* component = std::get_if<ComponentOf>(&field->kind);
+    const auto* of = component ? std::get_if<DisplacementRef>(&component->of) : nullptr;
+    const auto* fields = of ? std::get_if<FieldsDisplacement>(&(*of)->kind) : nullptr;
+    if (!fields) return field;
+    Transfer transfer;
+    transfer.kind = FieldsTransfer{fields->fields, "", false};
+    return Field{ComponentOf{component->axis, TransferRef(std::move(transfer))}};
+}
+template <class Node>
+const SharedValue<Node>& asWritten(const SharedValue<Node>& node) {
+    return node;
+}
+
 /// Takes one node and every use of names that are gone out of a scene.
 class Removal {
 public:
@@ -199,7 +214,7 @@ private:
             if (!rest) lost.emplace_back(std::string(step.member), step.element);
             return rest.value_or(child);
         });
-        return lost.empty() ? std::optional(kept) : left(*kept, lost);
+        return lost.empty() ? std::optional(asWritten(kept)) : left(*kept, lost);
     }
 
     Scene& scene_;

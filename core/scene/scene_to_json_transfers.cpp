@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/scene/scene_to_json.h"
+#include "core/stf/transfer_definition.h"
 
 namespace voledit {
 
@@ -128,9 +129,17 @@ ordered_json toJson(const LibraryTransfer::Axes& axes) {
     for (const int axis : axes.axes) list.push_back(kAxes[axis]);
     return list;
 }
+/// In the order of the definition, where that is known.
 void add(ordered_json& object, const LibraryTransfer& transfer) {
-    for (const auto& [name, argument] : transfer.arguments)
-        object[name] = std::visit([](const auto& value) { return toJson(value); }, argument);
+    std::map<std::string, LibraryTransfer::Argument> rest = transfer.arguments;
+    const auto write = [&](const auto& named) {
+        object[named.first] = std::visit([](const auto& value) { return toJson(value); }, named.second);
+    };
+    const TransferDefinitionPtr definition = transfer.isFile ? nullptr : libraryTransfer(transfer.definition);
+    if (definition)
+        for (const auto& parameter : definition->parameters())
+            if (const auto named = rest.extract(parameter.name)) write(std::pair(named.key(), named.mapped()));
+    for (const auto& named : rest) write(named);
 }
 
 void add(ordered_json& object, const ExpressionTransfer& transfer) {

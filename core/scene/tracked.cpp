@@ -24,7 +24,7 @@ double smoothAt(const Keys& keys, std::size_t k, std::size_t n, double f) {
     const double a = keys[k].value[n], b = keys[k + 1].value[n];
     const double slopeA = slopeAt(keys, k, n, false) * length, slopeB = slopeAt(keys, k + 1, n, true) * length;
     const double g = 1 - f;
-    return g * g * (1 + 2 * f) * a + f * f * (1 + 2 * g) * b + f * g * g * slopeA - f * f * g * slopeB;
+    return a + f * f * (3 - 2 * f) * (b - a) + f * g * g * slopeA - f * f * g * slopeB;
 }
 
 }  // namespace
@@ -39,8 +39,9 @@ std::vector<double> Track::at(double t) const {
     const double f = (t - keys[k].time) / (keys[k + 1].time - keys[k].time);
     std::vector<double> result(keys[k].value.size());
     for (std::size_t n = 0; n < result.size(); ++n)
-        result[n] = interpolation == Interpolation::Smooth ? smoothAt(keys, k, n, f)
-                                                           : (1 - f) * keys[k].value[n] + f * keys[k + 1].value[n];
+        result[n] = interpolation == Interpolation::Smooth
+                        ? smoothAt(keys, k, n, f)
+                        : keys[k].value[n] + f * (keys[k + 1].value[n] - keys[k].value[n]);
     return result;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/paths.h"
 #include "core/scene/edits.h"
+#include "tests/core/scene/random_scenes.h"
 #include "tests/support/fixtures.h"
 
 namespace voledit {
@@ -255,7 +256,8 @@ std::vector<BadScene> badScenes() {
         {sceneOfField(R"({"expression": "x + wobble"})"), "/root/opacity/expression", "wobble", ""},
         {sceneOfField(R"({"expression": "x +"})"), "/root/opacity/expression", "", "^"},
         {sceneOfShape(R"({"expression": {"d": "d"}})"), "/root/shape/expression/d", "'d' has no meaning", "^"},
-        {transferBy(R"({"type": "expression", "x": "a", "y": "y", "z": "x && y"})"), "/root/by/x", "'a' has no meaning", "^"},
+        {transferBy(R"({"type": "expression", "x": "a", "y": "y", "z": "x && y"})"), "/root/by/x", "'a' has no meaning",
+         "^"},
         {transferBy(R"({"type": "expression", "x": "x", "y": "y", "z": "z", "let": [["a", "b"]]})"), "/root/by/let/0/1",
          "'b' has no meaning", "^"},
         {sceneOfField(R"({"expression": ")" + std::string(1'000'000, '1') + R"("})"), "/root/opacity/expression",
@@ -344,130 +346,9 @@ TEST(AssetPath, IsSeenFromTheScenesFolder) {
 
 // ---- There and back -----------------------------------------------------------------------------------------------
 
-/// Random scenes of everything that is built.
-class RandomScenes {
-public:
-    explicit RandomScenes(unsigned seed) : random_(seed) {}
-
-    Scene next() {
-        Scene scene;
-        scene.assets["a \"é\" /~"] = {AssetKind::Volume, "dir/ü.nrrd"};
-        scene.assets["b"] = {AssetKind::Motion, "walk.bvh"};
-        scene.assets["c"] = {AssetKind::Images, "c.png"};
-        scene.transfers["t"] = transfer(false);
-        scene.transfers["t 2"] = transfer(false);
-        Transfer alias;
-        alias.kind = TransferUse{"t"};
-        scene.transfers["u"] = alias;
-        scene.objects["o"] = object(3, false);
-        scene.root = object(6, true);
-        if (chance()) scene.opacityDistance = std::abs(number()) + 1e-3;
-        if (chance())
-            scene.camera = Camera{vector(), vector() + Vec3(1e4), vector() + Vec3(0, 0, 2e3), 1 + unit() * 170};
-        scene.render.step = unit() + 0.01;
-        scene.render.background = {unit(), unit(), unit()};
-        scene.render.shading = chance();
-        if (chance()) scene.render.light = vector() + Vec3(0, 0, 2e3);
-        scene.timeline = {1 + unit() * 100, int(random_() % 100), 100 + int(random_() % 100)};
-        return scene;
-    }
-
-private:
-    double unit() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-    bool chance() { return random_() % 2 == 0; }
-    double number() { return chance() ? double(int(random_() % 200) - 100) : (unit() - 0.5) * 2000; }
-    Vec3 vector() { return {number(), number(), number()}; }
-
-    Placement placement() {
-        Placement placement;
-        if (random_() % 4 == 0) {
-            Mat4 m(1);
-            for (int c = 0; c < 4; ++c)
-                for (int r = 0; r < 3; ++r) m[c][r] += c == r ? 5 + unit() : unit();
-            placement.matrix = m;
-            return placement;
-        }
-        if (chance()) placement.translate = vector();
-        if (chance()) placement.rotate = vector();
-        if (chance()) placement.scale = chance() ? Vec3(unit() + 0.1) : Vec3(unit() + 0.1, -unit() - 0.1, 2);
-        return placement;
-    }
-
-    Transfer transfer(bool mayUse) {
-        Transfer transfer;
-        if (mayUse && chance()) {
-            const char* names[] = {"t", "t 2", "u"};
-            transfer.kind = TransferUse{names[random_() % 3]};
-            return transfer;
-        }
-        if (chance()) {
-            transfer.kind = AffineTransfer{placement()};
-        } else {
-            FfdTransfer ffd;
-            ffd.basis = chance() ? LatticeBasis::Bezier : LatticeBasis::BSpline;
-            const int fewest = ffd.basis == LatticeBasis::Bezier ? 2 : 4;
-            for (int a = 0; a < 3; ++a) ffd.points[a] = fewest + int(random_() % 4);
-            for (int a = 0; a < 3; ++a) ffd.cells[a] = 1 + int(random_() % 20);
-            const auto count = std::size_t(ffd.points.x * ffd.points.y * ffd.points.z);
-            const int how = int(random_() % 3);
-            for (std::size_t i = 0; i < count; ++i)
-                if (how == 2 || (how == 1 && chance())) ffd.moves[i] = {vector(), how == 2 || chance()};
-            transfer.kind = ffd;
-        }
-        if (chance()) transfer.name = "name " + std::to_string(random_() % 100);
-        if (chance()) {
-            const Vec3 corner = vector();
-            transfer.frame = chance()
-                                 ? frameOf({corner, corner + Vec3(unit() + 0.1, unit() + 0.1, 1e3 * unit() + 1)})
-                                 : Frame{corner, {Vec3(1, unit(), 0), Vec3(0, -1 - unit(), 0), Vec3(0, unit(), 2)}};
-        }
-        if (chance()) transfer.outside = chance() ? Outside::Keep : Outside::Hide;
-        transfer.enabled = chance();
-        if (chance()) transfer.amount = unit();
-        return transfer;
-    }
-
-    Appearance appearance() {
-        Appearance result;
-        if (random_() % 3 == 0) {
-            result.preset = "ct-bone";
-        } else {
-            double x = number();
-            if (chance()) result.opacity = PiecewiseLinear{{{x, unit()}, {x, unit()}, {x += unit(), unit()}}};
-            if (chance()) result.color = ColorTable{{{x, {unit(), 0, 1}}, {x + 1, {unit(), unit(), unit()}}}};
-        }
-        if (chance()) result.gradientOpacity = PiecewiseLinear{{{0, unit()}, {unit(), 1}}};
-        return result;
-    }
-
-    Object object(int depth, bool mayUse) {
-        switch (depth > 0 ? random_() % 4 : 0) {
-            case 1: {
-                PlaceObject place{placement(), object(depth - 1, mayUse)};
-                return Object{place};
-            }
-            case 2: {
-                TransferObject transfers;
-                for (auto n = random_() % 4; n > 0; --n) transfers.by.emplace_back(transfer(true));
-                transfers.of = object(depth - 1, mayUse);
-                transfers.combine = Combine(random_() % 4);
-                return Object{transfers};
-            }
-            case 3:
-                if (mayUse) return Object{ObjectUse{"o"}};
-                [[fallthrough]];
-            default:
-                return Object{
-                    VolumeObject{"a \"é\" /~", int(random_() % 3), Interpolation(random_() % 3), appearance()}};
-        }
-    }
-
-    std::mt19937 random_;
-};
-
 TEST(SceneToJson, GivesEqualScenesBack) {
-    RandomScenes scenes(17);
-    for (int trial = 0; trial < 500; ++trial) {
+    test::RandomScenes scenes(17);
+    for (int trial = 0; trial < 300; ++trial) {
         const Scene scene = scenes.next();
         const std::string text = sceneToJson(scene);
         ASSERT_EQ(read(text), scene) << text;
