@@ -5,9 +5,11 @@ uniform vec4 towardLight;  // world space; w = 0: headlight
 
 // Light reflected as a factor on the colour (x) and white on top of it (y). `ray` points away from the eye.
 vec2 reflected(vec3 gradient, vec3 ray) {
-    float steepness = length(gradient);
+    // By the largest component first: squares of steep formulas' gradients overflow.
+    vec3 scaled = gradient / max(max(abs(gradient.x), abs(gradient.y)), abs(gradient.z));
+    float steepness = length(scaled);
     if (!(steepness > 0.0)) return vec2(1.0, 0.0);
-    vec3 normal = gradient / steepness;
+    vec3 normal = scaled / steepness;
     vec3 toEye = -normalize(ray);
     vec3 toLight = towardLight.w == 0.0 ? toEye : towardLight.xyz;
     vec3 between = toLight + toEye;

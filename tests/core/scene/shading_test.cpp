@@ -39,6 +39,22 @@ TEST(Shading, WithoutGradientOrSwitchedOffIsUnlit) {
     EXPECT_EQ(shade(off, kColor, Vec3(0, 0, 1), kEye, kEye), kColor);
 }
 
+TEST(Shading, SteepnessDoesNotMatterHoweverGreatOrSmall) {
+    const Vec3 light = glm::normalize(Vec3(1, 2, 2)), gradient(1, -2, 0.5);
+    const Vec3 expected = shade(kSettings, kColor, gradient, kEye, light);
+    for (const double scale : {1e-300, 1e-20, 1e20, 1e200, 1e307})
+        expectColor(shade(kSettings, kColor, scale * gradient, kEye, light), expected);
+}
+
+TEST(Shading, AGradientThatIsNoneIsUnlit) {
+    for (const double none : {kNaN, kInfinity, -kInfinity})
+        for (int a = 0; a < 3; ++a) {
+            Vec3 gradient(1, 2, 3);
+            gradient[a] = none;
+            EXPECT_EQ(shade(kSettings, kColor, gradient, kEye, kEye), kColor);
+        }
+}
+
 TEST(Shading, LightFromBehindMakesNoHighlight) {
     expectColor(shade(kSettings, kColor, Vec3(0, 0, 1), kEye, -kEye), kColor * 0.75);
 }
