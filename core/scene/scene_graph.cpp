@@ -67,7 +67,8 @@ private:
             below.height = std::max(below.height, more.height);
             below.nodes += more.nodes;
         };
-        if (const auto named = costOfUse(node, depth + 1)) add(*named);
+        const auto named = costOfUse(node, depth + 1);
+        if (named) add(*named);
         visitChildren(node, [&](const ChildStep& step, const auto& child) {
             const JsonPlace member = place.at(step.member);
             if (step.element == ChildStep::kNone)
@@ -75,7 +76,7 @@ private:
             else
                 add(cost(*child, member.at(step.element), depth + 1));
         });
-        const Cost result{ownHeight(node) + below.height, 1 + below.nodes};
+        const Cost result{ownHeight(node) + below.height, (named ? 0 : 1) + below.nodes};
         if (depth + result.height > kDeepestNesting + 1) failDepth();
         if (result.nodes > double(kMostTermNodes))
             fail(place.pointer(),

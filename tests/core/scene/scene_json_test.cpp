@@ -280,6 +280,11 @@ TEST(BadScenes, AreRefusedWithFilePlaceCauseAndRemedy) {
     }
 }
 
+TEST(SharedNodes, AreCountedAsOftenAsTheyAreUsed) {
+    EXPECT_NO_THROW(read(doublings(16))) << "65,535 nodes";
+    EXPECT_THROW(read(doublings(17)), Error);
+}
+
 TEST(BadScenes, HalfOfAnyFileIsAnErrorNotACrash) {
     const std::string text = transferBy(R"([{"use": "p"}, {"type": "affine", "scale": [1, 2, 3]}])",
                                         R"("transfers": {"p": {"type": "ffd", "control": []}}, )");
@@ -414,6 +419,20 @@ TEST(SaveScene, ReadsBackAndRewritesPathsForTheNewFolder) {
     EXPECT_EQ(loadScene(elsewhere / "s.voledit", {.allowOutside = true}), outside) << "outside paths are kept";
     saveScene(outside, folder / "back.voledit", elsewhere);
     EXPECT_EQ(loadScene(folder / "back.voledit").assets.at("h").path, "scenes/data/h.nrrd");
+}
+
+TEST(SaveScene, RewritesPathsOfFormulaFilesWhereverTheyAre) {
+    const fs::path folder = test::scratchFolder();
+    fs::create_directories(folder / "scenes");
+    const std::string text =
+        transferBy(R"({"type": "sequence", "of": [{"type": {"file": "ripple.stf"}, "height": 2}]})",
+                   R"("transfers": {"t": {"type": {"file": "deep/wave.stf"}}}, )");
+    const Scene scene = sceneFromJson(text, folder / "scenes" / "s.voledit");
+    saveScene(scene, folder / "above.voledit", folder / "scenes");
+    const std::string above = sceneToJson(loadScene(folder / "above.voledit"));
+    EXPECT_THAT(above, AllOf(HasSubstr("\"scenes/ripple.stf\""), HasSubstr("\"scenes/deep/wave.stf\"")));
+    EXPECT_THAT([&] { sceneFromJson(transferBy(R"({"type": {"file": "../ripple.stf"}})"), kPath); },
+                ThrowsMessage<OutsideFolderError>(HasSubstr("/root/by/type/file")));
 }
 
 TEST(SaveScene, KeepsPathsWithDotsInTheirOwnFolder) {
