@@ -152,6 +152,26 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
                      [&](const Index3& corner) { return transformPoint(worldFromIndex, indexAt(corner)); });
 }
 
+std::vector<char> cellsSeen(const MappedCells& cells, const Mat4& worldFromDeformed, double slab,
+                            const std::function<bool(const Box3&)>& mayBeSeen) {
+    std::vector<char> seen(cells.cellCount());
+    const Mat3 deformedFromWorld = glm::inverse(Mat3(worldFromDeformed));
+    parallelFor(seen.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            Box3 box;
+            Vec3 reach(0);
+            for (const std::uint32_t v : cells.cellVertices(c)) {
+                box = join(box, cells.source()[v]);
+                reach = glm::max(reach, rowLengths(cells.jacobians()[v] * deformedFromWorld));
+            }
+            // Slabs reach as far as the neighbouring slice, and the GPU's places are rounded.
+            const Vec3 margin = reach * slab + 1e-5 * cells.bounds().size();
+            seen[c] = mayBeSeen({box.min - margin, box.max + margin});
+        }
+    });
+    return seen;
+}
+
 CellMesh boxMesh(const Box3& box, const Mat4& worldFromBox) {
     CellMesh mesh;
     for (int c = 0; c < 8; ++c) {

@@ -61,6 +61,12 @@ CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& entryFromSource,
                          const std::vector<char>& seen);
 
+/// For each cell 1 unless mayBeSeen(box) says of the boxes of source space that its slabs show that nothing can be seen
+/// there. Calls it from many threads.
+/// @param slab  extent of a slab along a ray at most, world units; what is seen there counts too
+std::vector<char> cellsSeen(const MappedCells& cells, const Mat4& worldFromDeformed, double slab,
+                            const std::function<bool(const Box3&)>& mayBeSeen);
+
 /// One brick: `box` moved to the world by `worldFromBox`.
 CellMesh boxMesh(const Box3& box, const Mat4& worldFromBox);
 

@@ -61,24 +61,9 @@ LocatedMaps makeLocatedMaps(const SlicePlan& plan) {
 
 std::vector<char> cellsSeen(const SlicePlan& plan, const Visibility& visibility, double slab) {
     const MappedCells& cells = *plan.forward->by->cells();
-    std::vector<char> seen(cells.cellCount(), 1);
-    if (visibility.seesEverything()) return seen;
-    const Mat3 deformedFromWorld = glm::inverse(Mat3(plan.worldFromDeformed));
-    parallelFor(seen.size(), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t h = begin; h < end; ++h) {
-            Box3 box;
-            Vec3 reach(0);
-            for (const std::uint32_t v : cells.cellVertices(h)) {
-                box = join(box, cells.source()[v]);
-                const Mat3 rows = glm::transpose(cells.jacobians()[v] * deformedFromWorld);
-                reach = glm::max(reach, Vec3(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])));
-            }
-            // Slabs reach as far as the neighbouring slice, and the GPU's places are rounded.
-            const Vec3 margin = reach * slab + 1e-5 * cells.bounds().size();
-            seen[h] = mayBeSeen(plan.located, {box.min - margin, box.max + margin}, plan, visibility);
-        }
-    });
-    return seen;
+    if (visibility.seesEverything()) return std::vector<char>(cells.cellCount(), 1);
+    return cellsSeen(cells, plan.worldFromDeformed, slab,
+                     [&](const Box3& source) { return mayBeSeen(plan.located, source, plan, visibility); });
 }
 
 }  // namespace voledit

@@ -26,7 +26,7 @@ struct SliceWorkshop {
     ShaderLibrary shaders;
     SliceResources resources;  // of chains
     TermResources terms;       // of any other term
-    TermCells termCells;
+    TermMesh termMesh;
     SliceTarget target;
     FoldTarget fold;
     SliceGeometry bricks{false}, cells{true};

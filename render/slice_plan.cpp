@@ -1,5 +1,6 @@
 #include "render/slice_plan.h"
 
+#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "core/stf/mapped_cells.h"
@@ -34,9 +35,50 @@ std::optional<SlicePlan> planChain(const TermPtr& root) {
     return plan;
 }
 
-SlicePlans planSlices(const TermPtr& root) {
-    if (auto chain = planChain(root)) return {std::move(chain), std::nullopt};
-    return {std::nullopt, makeTermProgram(root)};
+namespace {
+
+/// Whether cells' polygons may carry the map: each point has one pre-image at most, and the cells' source fills a box,
+/// so that a slab knows where it ends.
+bool canBeCut(const SpatialTransferFunction& map) {
+    const MappedCells* cells = map.cells();
+    if (!cells || map.outside() == Outside::Keep || cells->mayOverlap()) return false;
+    const Vec3 size = sourceBox(*cells).size();
+    double volume = 0;
+    for (const auto& t : cells->tetrahedra()) {
+        const auto q = [&](std::size_t n) { return cells->source()[t[n]]; };
+        volume += std::abs(glm::determinant(Mat3(q(1) - q(0), q(2) - q(0), q(3) - q(0)))) / 6;
+    }
+    const double whole = size.x * size.y * size.z;
+    return whole > 0 && std::abs(volume - whole) <= 1e-6 * whole;
+}
+
+}  // namespace
+
+Box3 sourceBox(const MappedCells& cells) {
+    Box3 box;
+    for (const Vec3& q : cells.source()) box = join(box, q);
+    return box;
+}
+
+TermPlan planTerm(const TermPtr& root) {
+    Mat4 restFromWorld(1);
+    for (TermPtr term = root;;) {
+        const auto* transfer = std::get_if<TransferTerm>(&term->node);
+        if (!transfer) break;
+        if (const auto affine = transfer->by->affine()) {
+            restFromWorld = *affine * restFromWorld;
+            term = transfer->of;
+            continue;
+        }
+        if (!canBeCut(*transfer->by)) break;
+        return {root, transfer->of, transfer, glm::inverse(restFromWorld),
+                intersect(transfer->of->bounds, sourceBox(*transfer->by->cells()))};
+    }
+    return {root, root, nullptr, Mat4(1), root->bounds};
+}
+
+void checkSlices(const TermPtr& root) {
+    if (!planChain(root)) makeTermProgram(planTerm(root).drawn);
 }
 
 }  // namespace voledit

@@ -34,12 +34,20 @@ struct SlicePlan {
 /// Nullopt for a term that is no such chain, and for chains with folded maps below another one.
 std::optional<SlicePlan> planChain(const TermPtr& root);
 
-/// How slices draw a term: exactly one of the two is there.
-struct SlicePlans {
-    std::optional<SlicePlan> chain;
-    std::optional<TermProgram> program;
+/// Any term: a generated program draws `drawn`, in bricks of the world; or `forward`, a map with cells (with affine
+/// maps above it), is outermost, and its cells are cut, whose polygons carry the source coordinates.
+struct TermPlan {
+    TermPtr root;   // keeps all below alive
+    TermPtr drawn;  // the root, or the operand of `forward`
+    const TransferTerm* forward = nullptr;
+    Mat4 worldFromDeformed{1};
+    Box3 bounds;  // of what is drawn, and of the cells' source
 };
+TermPlan planTerm(const TermPtr& root);
+/// Box of the source coordinates.
+Box3 sourceBox(const MappedCells& cells);
+
 /// Throws Error for a term that slices cannot draw, which says to use rays.
-SlicePlans planSlices(const TermPtr& root);
+void checkSlices(const TermPtr& root);
 
 }  // namespace voledit

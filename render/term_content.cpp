@@ -1,5 +1,6 @@
 #include "render/term_content.h"
 
+#include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "render/chain_content.h"
@@ -13,13 +14,14 @@ constexpr int kRefinements = 5;
 }  // namespace
 
 TermContent::TermContent(SliceWorkshop& workshop, const CompiledScene& scene, double step, double longestRay)
-    : workshop_(workshop), bounds_(scene.root->bounds), shaded_(scene.render.shading) {
-    if (!workshop.terms.holds(scene.root)) workshop.terms.prepare(makeTermProgram(scene.root));
-    workshop.termCells.prepare(scene.root, step * stepsOfSlab() * longestRay, workshop.options.cull);
+    : workshop_(workshop), plan_(planTerm(scene.root)), shaded_(scene.render.shading) {
+    if (!workshop.terms.holds(plan_.drawn)) workshop.terms.prepare(makeTermProgram(plan_.drawn));
+    workshop.termMesh.prepare(plan_, workshop.terms.program().origin, step * stepsOfSlab() * longestRay,
+                              workshop.options.cull);
 }
 
 std::vector<SliceContent::Part> TermContent::parts() const {
-    return {{&workshop_.termCells.mesh(), glm::translate(Mat4(1), -workshop_.terms.program().origin)}};
+    return {{&workshop_.termMesh.mesh(), glm::translate(Mat4(1), -workshop_.terms.program().origin)}};
 }
 
 ProgramVariant TermContent::variant(bool mapped, int) const {
@@ -29,10 +31,13 @@ ProgramVariant TermContent::variant(bool mapped, int) const {
 void TermContent::setUniforms(Program& p) const {
     const Vec3 origin = workshop_.terms.program().origin;
     p.set("tables", 0);
-    p.set("segments", workshop_.options.segments);
+    // Rays that pass less than a part of a solid may miss it.
+    p.set("segments", stepsOfSlab() * (workshop_.terms.program().hardEdges ? 2 : 1));
     p.set("refinements", kRefinements);
-    p.set("boundsMin", Vec3f(bounds_.min - origin));
-    p.set("boundsMax", Vec3f(bounds_.max - origin));
+    const Vec3 size = plan_.bounds.size();
+    p.set("boundsMin", Vec3f(plan_.bounds.min - origin));
+    p.set("boundsMax", Vec3f(plan_.bounds.max - origin));
+    p.set("rounding", float(1e-6 * std::max({size.x, size.y, size.z})));
 }
 
 std::unique_ptr<SliceContent> makeContent(SliceWorkshop& workshop, const CompiledScene& scene, double step,

@@ -20,8 +20,8 @@ public:
 
 private:
     SliceWorkshop& workshop_;
+    TermPlan plan_;
     Visibility everything_;
-    Box3 bounds_;
     bool shaded_;
 };
 

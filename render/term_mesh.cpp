@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 
 #include "core/base/parallel.h"
 #include "core/objects/empty_space.h"
@@ -71,10 +72,19 @@ CellMesh termBricks(const Term& term, double slab, bool cull) {
     return brickMesh(count, seen, [&](const Index3& corner) { return search.corner(corner); });
 }
 
-void TermCells::prepare(const TermPtr& root, double slab, bool cull) {
-    if (root_.lock() == root && slab_ == slab && cull_ == cull) return;
-    mesh_ = termBricks(*root, slab, cull);
-    root_ = root;
+CellMesh termCells(const TermPlan& plan, const Vec3& origin, double slab, bool cull) {
+    const MappedCells& cells = *plan.forward->by->cells();
+    const auto mayBeSeen = [&](const Box3& source) { return mayBeVisible(*plan.drawn, source); };
+    return tetrahedronMesh(
+        cells, plan.worldFromDeformed, glm::translate(Mat4(1), -origin),
+        cull ? cellsSeen(cells, plan.worldFromDeformed, slab, mayBeSeen) : std::vector<char>(cells.cellCount(), 1));
+}
+
+void TermMesh::prepare(const TermPlan& plan, const Vec3& origin, double slab, bool cull) {
+    if (root_.lock() == plan.root && origin_ == origin && slab_ == slab && cull_ == cull) return;
+    mesh_ = plan.forward ? termCells(plan, origin, slab, cull) : termBricks(*plan.root, slab, cull);
+    root_ = plan.root;
+    origin_ = origin;
     slab_ = slab;
     cull_ = cull;
 }

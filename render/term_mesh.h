@@ -5,6 +5,7 @@
 
 #include "core/objects/term.h"
 #include "render/cell_mesh.h"
+#include "render/slice_plan.h"
 
 namespace voledit {
 
@@ -13,14 +14,19 @@ namespace voledit {
 /// @param slab  extent of a slab along a ray at most, world units
 CellMesh termBricks(const Term& term, double slab, bool cull);
 
+/// The cells of the outermost forward map, without those in whose source nothing can be seen; they carry places: source
+/// points less `origin`.
+CellMesh termCells(const TermPlan& plan, const Vec3& origin, double slab, bool cull);
+
 /// The cells of the term that slices drew last.
-class TermCells {
+class TermMesh {
 public:
-    void prepare(const TermPtr& root, double slab, bool cull);
+    void prepare(const TermPlan& plan, const Vec3& origin, double slab, bool cull);
     const CellMesh& mesh() const { return mesh_; }
 
 private:
     std::weak_ptr<const Term> root_;
+    Vec3 origin_{0};
     double slab_ = 0;
     bool cull_ = true;
     CellMesh mesh_;

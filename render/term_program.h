@@ -48,14 +48,15 @@ struct TermProgram {
     std::vector<ProgramVolume> volumes;  // texture units 1, 2, …
     std::vector<ProgramTable> tables;    // texture unit 0
     std::vector<ProgramCells> cells;
-    std::size_t size = 0;  // statements when all is put in place, as compilers do
+    std::size_t size = 0;    // statements when all is put in place, as compilers do
+    bool hardEdges = false;  // there are solids, which may be thinner than a step
 
     /// What a program that includes `text` must define.
     std::vector<std::string> defines() const;
 };
 
 /// How large programs may be, so that compiling takes seconds at most (README.md).
-inline constexpr std::size_t kLargestTermProgram = 20'000;
+inline constexpr std::size_t kLargestTermProgram = 4000;
 /// Levels of terms, maps and fields below each other.
 inline constexpr int kDeepestTermProgram = 100;
 

@@ -6,6 +6,7 @@
 #include "core/fields/value_bricks.h"
 #include "core/stf/mapped_cells.h"
 #include "core/stf/mesh_field.h"
+#include "render/slice_plan.h"
 #include "render/term_writer.h"
 #include "render/visibility.h"
 
@@ -59,6 +60,7 @@ public:
     }
 
     void operator()(const SolidTerm& node) {
+        writer_.noteHardEdges();
         const GlslFunction distance = writeField(writer_, node.distance, lit_);
         int base = 0;
         const GlslFunction opacity = writer_.formula(node.opacity, node.parameters, base);
@@ -144,9 +146,8 @@ private:
     /// All pre-images of a point: the operand at each, in one loop, so that compilers put it in place once.
     void folded(const TransferTerm& node) {
         const TermWriter::Cells cells = writer_.cells(node.by);
-        Box3 sources;
-        for (const Vec3& q : node.by->cells()->source()) sources = join(sources, q);
-        const double reach = glm::max(glm::max(sources.size().x, sources.size().y), sources.size().z);
+        const Vec3 sources = sourceBox(*node.by->cells()).size();
+        const double reach = glm::max(glm::max(sources.x, sources.y), sources.z);
         const std::string slack = text(writer_.group(Vec4(4e-6 * reach, 0, 0, 0)));
         const GlslFunction of = writeTerm(writer_, node.of, lit_, attribute_);
         const bool keep = node.by->outside() == Outside::Keep;

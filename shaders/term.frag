@@ -29,6 +29,9 @@ void main() {
     vec3 ray, place, perDepth;
     mat3 jacobian;
     readSlice(ray, place, perDepth, jacobian);
+#ifdef MAPPED
+    if (!withinBounds(place)) discard;
+#endif
     startHints();
     color = termSlab(place, perDepth, jacobian, ray);
     if (!(color.a > 0.0)) discard;

@@ -7,7 +7,7 @@ namespace voledit {
 
 std::string whySlicesCannotDraw(const TermPtr& root) {
     try {
-        planSlices(root);
+        checkSlices(root);
         return "";
     } catch (const Error& error) {
         return error.what();

@@ -9,8 +9,9 @@ uniform float slabDepth;        // extent of a slab along the view axis, world u
 uniform float opacityDistance;  // world units
 uniform int segments;
 uniform int refinements;  // halvings of a part at most
-uniform vec3 boundsMin;   // nothing is seen outside
+uniform vec3 boundsMin;   // of places; nothing is seen outside
 uniform vec3 boundsMax;
+uniform float rounding;  // how far outside a place may come out by single precision
 
 const float kContrast = 0.015;  // difference of two ends' alphas from which on a part is halved
 
@@ -35,11 +36,31 @@ Pile emptyPile() {
     return Pile(vec3(0.0), 1.0, 0.0, 0.0, 0.0);
 }
 
+bool withinBounds(vec3 p) {
+    return all(greaterThanEqual(p, boundsMin - rounding)) && all(lessThanEqual(p, boundsMax + rounding));
+}
+
+// The part of the ray, by depth from the slice, that its slab stands for: half a slab on either side, but where cells end
+// exactly up to there, as the neighbouring slice draws nothing. Bricks reach half a slab beyond the bounds.
+vec2 slabExtent(vec3 place, vec3 perDepth) {
+    vec2 middle = vec2(-0.5, 0.5) * slabDepth;
+#ifdef MAPPED
+    vec3 safe = mix(perDepth, vec3(1e-20), lessThan(abs(perDepth), vec3(1e-20)));
+    vec3 toMin = (boundsMin - place) / safe;
+    vec3 toMax = (boundsMax - place) / safe;
+    vec3 enter = min(toMin, toMax);
+    vec3 leave = max(toMin, toMax);
+    float first = min(max(max(enter.x, enter.y), enter.z), 0.0);
+    float last = max(min(min(leave.x, leave.y), leave.z), 0.0);
+    middle = vec2(first > -slabDepth ? first : middle.x, last < slabDepth ? last : middle.y);
+#endif
+    return middle;
+}
+
 End endAt(vec3 place, vec3 perDepth, float depth, float partLength) {
     vec3 p = place + depth * perDepth;
     Sample s = termAt(p);
-    bool inside = all(greaterThanEqual(p, boundsMin)) && all(lessThanEqual(p, boundsMax));
-    float opacity = inside && s.opacity > 0.0 ? min(s.opacity, 0.9999) : 0.0;
+    float opacity = withinBounds(p) && s.opacity > 0.0 ? min(s.opacity, 0.9999) : 0.0;
     float thickness = -log(1.0 - opacity) * partLength / opacityDistance;
     return End(depth, thickness, 1.0 - exp(-thickness), opacity > 0.0 ? s.color : vec3(0.0));
 }
@@ -68,17 +89,19 @@ Pile over(Pile front, Pile back) {
 }
 
 vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
-    float partDepth = slabDepth / float(segments);
+    vec2 extent = slabExtent(place, perDepth);
+    float partDepth = (extent.y - extent.x) / float(segments);
     float partLength = partDepth * length(ray);
-    vec3 seen = vec3(0.0);
-    float through = 1.0;
+    float perPart = 1.0 / max(partDepth, 1e-30);
+    Pile slab = emptyPile();
+    bool jumps = false;
     End left;
     End last;
     for (int s = 0; s < segments; ++s) {
         Pile front = emptyPile();
         Pile back = emptyPile();
         End right;
-        float depth = (float(s) - 0.5 * float(segments)) * partDepth;
+        float depth = extent.x + float(s) * partDepth;
         int level = s == 0 ? -1 : 0;
         if (s > 0) {
             left = last;
@@ -95,10 +118,10 @@ vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
                     right = now;
                     last = now;
                 } else if (abs(left.alpha - now.alpha) >= abs(now.alpha - right.alpha)) {
-                    back = over(piece(now, right, 1.0 / partDepth), back);
+                    back = over(piece(now, right, perPart), back);
                     right = now;
                 } else {
-                    front = over(front, piece(left, now, 1.0 / partDepth));
+                    front = over(front, piece(left, now, perPart));
                     left = now;
                 }
                 more = level < refinements && abs(left.alpha - right.alpha) > kContrast;
@@ -106,17 +129,16 @@ vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
             }
             ++level;
         }
-        Pile part = over(over(front, piece(left, right, 1.0 / partDepth)), back);
-        float alpha = 1.0 - part.through;
-#ifdef SHADED
-        // Where there is a jump, the mean place could be a clear one.
-        float where = level > 2 ? part.widestDepth : part.where / max(alpha, 1e-20);
-        Sample lit = litTermAt(place + where * perDepth);
-        vec2 light = reflected(lit.gradient * jacobian, ray);
-        if (alpha > 0.0) part.seen = part.seen * light.x + alpha * light.y;
-#endif
-        seen += through * part.seen;
-        through *= part.through;
+        jumps = jumps || level > 2;
+        slab = over(slab, over(over(front, piece(left, right, perPart)), back));
     }
-    return vec4(seen, 1.0 - through);
+    float alpha = 1.0 - slab.through;
+#ifdef SHADED
+    // Where there is a jump, the mean place could be a clear one.
+    float where = jumps ? slab.widestDepth : slab.where / max(alpha, 1e-20);
+    Sample lit = litTermAt(place + where * perDepth);
+    vec2 light = reflected(lit.gradient * jacobian, ray);
+    if (alpha > 0.0) slab.seen = slab.seen * light.x + alpha * light.y;
+#endif
+    return vec4(slab.seen, alpha);
 }

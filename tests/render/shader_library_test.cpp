@@ -62,6 +62,31 @@ TEST(ShaderLibrary, DefinesReachIncludedFiles) {
     EXPECT_EQ(source.text.find("int twice"), source.text.rfind("int twice"));
 }
 
+TEST(ShaderLibrary, GeneratedTextIsPutInPlaceAndTheOldestGoes) {
+    offscreen();
+    const auto folder = scratchFolder();
+    write(folder / "e.vert", "#version 450 core\nvoid main() { gl_Position = vec4(0); }\n");
+    write(folder / "e.frag",
+          "#version 450 core\n#include \"generated\"\nout vec4 c;\nvoid main() { c = vec4(one()); }\n");
+    const auto variant = [](std::size_t n) {
+        return ProgramVariant{"e.vert", "e.frag", {}, "float one() { return " + std::to_string(n) + ".0; }\n"};
+    };
+    ShaderLibrary library(folder);
+    for (const std::size_t n : {1u, 1u, 2u, 1u}) library.get(variant(n));
+    EXPECT_EQ(library.compiled(), 2u);
+    for (std::size_t n = 3; n < ShaderLibrary::kMostGenerated + 3; ++n) {
+        library.get(variant(n));
+        library.get(variant(1));
+    }
+    const std::size_t compiled = library.compiled();
+    library.get(variant(1));
+    EXPECT_EQ(library.compiled(), compiled) << "what is used often stays";
+    library.get(variant(2));
+    EXPECT_EQ(library.compiled(), compiled + 1);
+    EXPECT_THAT(errorOf(folder, {"e.vert", "e.frag", {}, "float one() {\n    return nothing;\n}\n"}),
+                HasSubstr("generated:2"));
+}
+
 TEST(ShaderLibrary, MissingAndOutsideFilesAreErrors) {
     const auto folder = scratchFolder();
     write(folder / "d.frag", "#version 450 core\n#include \"../secret.glsl\"\n");
