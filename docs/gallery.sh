@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Makes docs/gallery.md and its pictures from resources/scenes/gallery, with the release build:
+#   docs/gallery.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+voledit=${VOLEDIT:-build/release/voledit}
+mkdir -p docs/gallery
+
+entry() {  # NAME TITLE TEXT
+    local scene=resources/scenes/gallery/$1.voledit
+    "$voledit" render "$scene" -o "docs/gallery/$1.png" --size 640x480
+    printf '## %s\n\n![%s](gallery/%s.png)\n\n%s [`%s`](../%s)\n\n' "$2" "$2" "$1" "$3" "$1.voledit" "$scene" >>docs/gallery.md
+}
+
+cat >docs/gallery.md <<'TEXT'
+# Gallery
+
+The figures of the STF paper (Chen, Silver, Winter, Singh, Cornea 2003) that voledit covers, drawn by slices. Every scene is a file in
+[`resources/scenes/gallery`](../resources/scenes/gallery): open it in the editor and drag its numbers. No volume is resampled in any of them.
+`docs/gallery.sh` makes this page.
+
+TEXT
+entry fig1a "1a · A ball" "A translucent shell about a solid core: the union of two solids."
+entry fig1b "1b · Split" "\`split\` moves the halves apart along x; between them the map is undefined, so nothing is there."
+entry fig1c "1c · Squeeze" "\`squeeze\` narrows the ball about its waist."
+entry fig1d "1d · Rotational sweep" "\`rotationalSweep\` turns the ball's section about an axis beside it, through 270°."
+entry fig2a "2a · Swept, then split" "A list of two transfers: the sweep of 1d, then a split of what it made."
+entry fig2b "2b · A composite squeezed" "One \`squeeze\` of the union of the ball and a cylinder with an amorphous layer: transfers apply to whole terms."
+entry fig2c-top "2c · A cylinder with an amorphous layer" "The layer's opacity is a formula: noise that fades with the distance from the surface."
+entry fig2c-bottom "2c · The composite" "The union of 1a and the cylinder, as 2b squeezes it."
+entry fig3a "3a · A heart" "CT angiography, cut out of the chest by \`cap\` with an ellipsoid. Nothing is transferred yet."
+entry fig3b "3b · Torn open" "\`open\` with profile 2: Ψ₁, the tear."
+entry fig3c "3c · Four quarters" "\`dissect\` along two axes: Ψ₂ of the paper."
+entry fig3d "3d · Inside out" "\`insideOut\` about an axis through a chamber: Ψ₃."
+entry fig4 "4 · A chest opened" "\`open\`, hinged at the top: Ψ₄. [\`fig4-head.voledit\`](../resources/scenes/gallery/fig4-head.voledit) opens a head in the same way; its scan may not be shipped, so it is read from outside with \`--allow-outside\`."
+entry fig7a "7a · A scan squeezed" "\`squeeze\` of a CT of the chest."
+entry fig7b "7b · A scan twisted" "\`twist\` by 120° over its height."
+entry fig8a "8a · Free form: bulge" "A Bézier lattice of 6 × 4 × 4 points over letters, which are signed distances from a font's outlines."
+entry fig8b "8b · Free form: wave" "The letters raised and lowered along the line."
+entry fig8c "8c · Free form: twist" "A lattice twisted about the line of text."
+entry fig8d "8d · Free form: perspective" "A lattice that grows from one end to the other."
+entry fig8e "8e · Free form: bend" "The text bent horizontally, by a lattice of degree 9 along it."
