@@ -14,9 +14,9 @@ namespace voledit {
 ///   takes something off, −∇ of the second (if it is not 0), since there its surface is laid bare.
 ObjectSample cvg(CvgOperator by, const ObjectSample& a, const ObjectSample& b, double weight = 0);
 
-/// `x` clamped to [0, 1]; 0 where it is undefined.
+/// `x` clamped to [0, 1]; 0 where it is undefined or infinite: a division by zero shows nothing.
 inline double clampedOpacity(double x) {
-    return x > 0 ? (x < 1 ? x : 1) : 0;
+    return x > 0 && x < kInfinity ? (x < 1 ? x : 1) : 0;
 }
 
 }  // namespace voledit

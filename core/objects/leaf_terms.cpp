@@ -81,7 +81,7 @@ std::vector<double> opacityOf(const SolidTerm& node, std::span<const Vec3> p, st
     return opacity;
 }
 
-/// The points of `which` at which a field has `color`; a colour that is undefined empties the sample.
+/// The points of `which` at which a field has `color`; a colour that is undefined or infinite empties the sample.
 void colorAt(const FieldsTerm& node, std::span<const Vec3> at, std::span<const std::uint32_t> which,
              std::span<ObjectSample> sample) {
     std::vector<double> channel(at.size());
@@ -91,7 +91,7 @@ void colorAt(const FieldsTerm& node, std::span<const Vec3> at, std::span<const s
     }
     for (const std::uint32_t i : which) {
         ObjectSample& s = sample[i];
-        if (!isDefined(s.color)) s = {.value = s.value};
+        if (!std::isfinite(s.color.x + s.color.y + s.color.z)) s = {.value = s.value};
         s.color = glm::clamp(s.color, 0.0, 1.0);
     }
 }
@@ -130,7 +130,7 @@ void evaluateSolid(const SolidTerm& node, std::span<const Vec3> p, std::span<Obj
     std::vector<double> d;
     for (std::size_t i = 0; i < p.size(); ++i) {
         sample[i] = {};
-        if (!(distance[i] == distance[i])) continue;
+        if (!std::isfinite(distance[i])) continue;
         if (asked.colorEverywhere) sample[i].color = glm::clamp(node.color, 0.0, 1.0);
         // What a formula says beyond its bounds is not part of the shape.
         const double outside = distanceOutside(node.shape, p[i]);

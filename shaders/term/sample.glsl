@@ -37,22 +37,22 @@ float distanceOutside(int box, vec3 p) {
 // The signed distance of a solid whose shape lies in `box`: what its formula says beyond is not part of it.
 float solidDistance(int box, vec3 p, float distance) {
     float outside = distanceOutside(box, p);
-    return outside > 0.0 && !isNan(distance) ? max(distance, outside) : distance;
+    return outside > 0.0 && isFinite(distance) ? max(distance, outside) : distance;
 }
 
 //   solid  a group: colour and falloff
 Sample solidSample(int solid, float distance, float opacity) {
     Sample s = emptySample();
     float fade = distance <= 0.0 ? 1.0 : max(1.0 - distance / max(quad(solid).w, 1e-30), 0.0);
-    s.opacity = isNan(distance) || isNan(opacity) ? 0.0 : clamp(opacity, 0.0, 1.0) * fade;
+    s.opacity = isFinite(distance) && isFinite(opacity) ? clamp(opacity, 0.0, 1.0) * fade : 0.0;
     s.color = quad(solid).xyz;
     return s;
 }
 
-// Fields as an object. Undefined opacity or colour is nothing.
+// Fields as an object. Opacity or colour that is undefined or infinite is nothing.
 Sample fieldsSample(bool inside, float opacity, vec3 color) {
     Sample s = emptySample();
-    bool seen = inside && !isNan(opacity) && !isNan(color.r) && !isNan(color.g) && !isNan(color.b);
+    bool seen = inside && isFinite(opacity) && isPoint(color);
     s.opacity = seen ? clamp(opacity, 0.0, 1.0) : 0.0;
     s.color = seen ? clamp(color, 0.0, 1.0) : vec3(0.0);
     return s;
