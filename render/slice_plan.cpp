@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <set>
 
 #include "core/stf/mapped_cells.h"
 
@@ -52,6 +53,22 @@ bool canBeCut(const SpatialTransferFunction& map) {
     return whole > 0 && std::abs(volume - whole) <= 1e-6 * whole;
 }
 
+bool holdsSolids(const Term& root) {
+    std::vector<const Term*> next{&root};
+    std::set<const Term*> seen;
+    while (!next.empty()) {
+        const Term* term = next.back();
+        next.pop_back();
+        if (!seen.insert(term).second) continue;
+        if (std::holds_alternative<SolidTerm>(term->node)) return true;
+        if (const auto* transfer = std::get_if<TransferTerm>(&term->node)) next.push_back(transfer->of.get());
+        if (const auto* recolor = std::get_if<RecolorTerm>(&term->node)) next.push_back(recolor->of.get());
+        if (const auto* cvg = std::get_if<CvgTerm>(&term->node))
+            for (const TermPtr& of : cvg->of) next.push_back(of.get());
+    }
+    return false;
+}
+
 }  // namespace
 
 Box3 sourceBox(const MappedCells& cells) {
@@ -61,8 +78,9 @@ Box3 sourceBox(const MappedCells& cells) {
 }
 
 TermPlan planTerm(const TermPtr& root) {
+    const bool solids = holdsSolids(*root);
     Mat4 restFromWorld(1);
-    for (TermPtr term = root;;) {
+    for (TermPtr term = root; !solids;) {
         const auto* transfer = std::get_if<TransferTerm>(&term->node);
         if (!transfer) break;
         if (const auto affine = transfer->by->affine()) {
@@ -71,10 +89,14 @@ TermPlan planTerm(const TermPtr& root) {
             continue;
         }
         if (!canBeCut(*transfer->by)) break;
-        return {root, transfer->of, transfer, glm::inverse(restFromWorld),
-                intersect(transfer->of->bounds, sourceBox(*transfer->by->cells()))};
+        return {root,
+                transfer->of,
+                transfer,
+                glm::inverse(restFromWorld),
+                intersect(transfer->of->bounds, sourceBox(*transfer->by->cells())),
+                false};
     }
-    return {root, root, nullptr, Mat4(1), root->bounds};
+    return {root, root, nullptr, Mat4(1), root->bounds, solids};
 }
 
 void checkSlices(const TermPtr& root) {

@@ -35,13 +35,15 @@ struct SlicePlan {
 std::optional<SlicePlan> planChain(const TermPtr& root);
 
 /// Any term: a generated program draws `drawn`, in bricks of the world; or `forward`, a map with cells (with affine
-/// maps above it), is outermost, and its cells are cut, whose polygons carry the source coordinates.
+/// maps above it), is outermost, and its cells are cut, whose polygons carry the source coordinates. Not where there
+/// are solids: rays that pass less than a slab of the cells may miss every slice, and solids often touch their box.
 struct TermPlan {
     TermPtr root;   // keeps all below alive
     TermPtr drawn;  // the root, or the operand of `forward`
     const TransferTerm* forward = nullptr;
     Mat4 worldFromDeformed{1};
-    Box3 bounds;  // of what is drawn, and of the cells' source
+    Box3 bounds;          // of what is drawn, and of the cells' source
+    bool solids = false;  // there are some in it: edges are hard
 };
 TermPlan planTerm(const TermPtr& root);
 /// Box of the source coordinates.

@@ -32,7 +32,7 @@ void TermContent::setUniforms(Program& p) const {
     const Vec3 origin = workshop_.terms.program().origin;
     p.set("tables", 0);
     // Rays that pass less than a part of a solid may miss it.
-    p.set("segments", stepsOfSlab() * (workshop_.terms.program().hardEdges ? 2 : 1));
+    p.set("segments", stepsOfSlab() * (plan_.solids ? 2 : 1));
     p.set("refinements", kRefinements);
     const Vec3 size = plan_.bounds.size();
     p.set("boundsMin", Vec3f(plan_.bounds.min - origin));

@@ -48,8 +48,7 @@ struct TermProgram {
     std::vector<ProgramVolume> volumes;  // texture units 1, 2, …
     std::vector<ProgramTable> tables;    // texture unit 0
     std::vector<ProgramCells> cells;
-    std::size_t size = 0;    // statements when all is put in place, as compilers do
-    bool hardEdges = false;  // there are solids, which may be thinner than a step
+    std::size_t size = 0;  // statements when all is put in place, as compilers do
 
     /// What a program that includes `text` must define.
     std::vector<std::string> defines() const;

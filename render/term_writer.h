@@ -78,9 +78,6 @@ public:
     Cells cells(const TransferPtr& map);
     Cells cells(const std::shared_ptr<const MeshField>& mesh);
 
-    /// Notes that there are solids.
-    void noteHardEdges() { program_.hardEdges = true; }
-
     /// The program, complete.
     TermProgram finish(const GlslFunction& term, const GlslFunction& lit);
 

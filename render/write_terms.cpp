@@ -60,7 +60,6 @@ public:
     }
 
     void operator()(const SolidTerm& node) {
-        writer_.noteHardEdges();
         const GlslFunction distance = writeField(writer_, node.distance, lit_);
         int base = 0;
         const GlslFunction opacity = writer_.formula(node.opacity, node.parameters, base);

@@ -88,10 +88,10 @@ TEST(TermProgram, Fields) {
     expectParity(field(std::make_shared<AttributeField>("heat", through(library("twist", kUnitBox), marked()))),
                  {.gradient = 1e-2});
     expectParity(field(std::make_shared<ComponentField>(library("twist", kUnitBox), 0, false)));
-    expectParity(field(std::make_shared<ComponentField>(library("bend", kUnitBox), 0, true)), {.outliers = 0.01});
+    expectParity(field(std::make_shared<ComponentField>(library("bend", kUnitBox), 2, true)), {.outliers = 0.01});
     // Undefined colour and opacity is nothing.
     expectParity(makeFieldsTerm(
-        {expression("sqrt(x)"), {expression("sqrt(y)"), expression("1"), expression("z")}, kUnitBox, {}}));
+        {expression("sqrt(x)"), {expression("sqrt(y)"), expression("0.3"), expression("z")}, kUnitBox, {}}));
 }
 
 class LibraryMap : public testing::TestWithParam<std::string> {};
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(All, LibraryMap,
 TEST(TermProgram, MapsOfMaps) {
     const TransferPtr twist = library("twist", kUnitBox), bend = library("bend", kUnitBox),
                       split = library("split", kUnitBox), taper = library("taper", kUnitBox);
-    const FieldPtr weight = expression("0.5 + 0.4 * x");
+    const FieldPtr weight = expression("0.5 + 0.4 * sin(x)");
     const ParityLimits limits{.outliers = 0.005, .box = kAround};
     const auto check = [&](TransferPtr map) { expectParity(through(map, marked()), limits); };
     check(std::make_shared<SequenceMap>(std::vector{twist, split, bend}));

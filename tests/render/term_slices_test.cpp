@@ -73,14 +73,15 @@ TEST(TermSlices, OverlappingLatticesUnderADifferenceMatchRays) {
 
 TEST(TermSlices, ALatticeOverATermIsCutIntoItsCells) {
     // Outermost, its polygons carry the source coordinates; below an affine map too.
-    const TermPtr operand = through(library("split", kUnitBox), makeCvgTerm(CvgOperator::Union, {waves(), block()}));
+    const TermPtr operand = through(library("split", kUnitBox), makeCvgTerm(CvgOperator::Merge, {waves(), waves()}));
     const auto turn = std::make_shared<AffineMap>(placementMatrix({0.3, -0.2, 0.1}, {0.4, 0.9, -0.3}, {1.2, 0.7, -1}));
     const TermPtr bent = through(bentLattice(operand->bounds, Index3(16)), operand);
     EXPECT_TRUE(planTerm(bent).forward);
     EXPECT_TRUE(planTerm(through(turn, bent)).forward);
     EXPECT_GE(closeness(volumeScene(bent)), 40);
     EXPECT_GE(closeness(volumeScene(through(turn, bent))), 40);
-    // Not where points have several pre-images, or one outside the cells.
+    // Not where there are solids, nor where points have several pre-images, or one outside the cells.
+    EXPECT_FALSE(planTerm(through(bentLattice(kUnitBox), block())).forward);
     EXPECT_FALSE(planTerm(through(foldedLattice(operand->bounds), operand)).forward);
 }
 
