@@ -8,6 +8,7 @@
 #include "core/base/paths.h"
 #include "render/slice_variants.h"
 #include "tests/render/render_fixtures.h"
+#include "tests/render/term_fixtures.h"
 #include "tests/support/fixtures.h"
 
 namespace voledit {
@@ -36,6 +37,14 @@ TEST(ShaderLibrary, EveryProgramAndVariantCompiles) {
     const auto programs = allPrograms();
     EXPECT_GT(programs.size(), 8u);
     for (const ProgramVariant& variant : programs) EXPECT_NO_THROW(library.get(variant)) << variant.fragment;
+    // Those of terms, with and without cells.
+    const TermPtr plain = solid(SphereShape{}, Vec3(1)), bent = through(foldedLattice(plain->bounds), plain);
+    for (const TermPtr& term : {plain, bent}) {
+        const TermProgram made = makeTermProgram(term);
+        for (const bool mapped : {false, true})
+            for (const bool shaded : {false, true}) EXPECT_NO_THROW(library.get(termVariant(made, mapped, shaded)));
+        EXPECT_NO_THROW(library.get({"fullscreen.vert", "term_probe.frag", made.defines(), made.text}));
+    }
 }
 
 TEST(ShaderLibrary, ErrorsNameFileAndLineOfIncludedFiles) {

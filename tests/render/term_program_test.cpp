@@ -2,6 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
 #include "core/base/error.h"
 #include "core/fields/simple_fields.h"
 #include "core/objects/attribute_field.h"
@@ -199,6 +205,56 @@ TEST(TermProgram, Meshes) {
     const auto field = std::make_shared<MeshField>(std::make_shared<Mesh>(data), 0);
     expectParity(makeMeshTerm(field, softAppearance()), {.outliers = 0.005});
     expectParity(through(library("twist", kUnitBox), makeMeshTerm(field, softAppearance())), {.outliers = 0.005});
+}
+
+/// Largest angle, degrees, between a program's gradient and central differences of core's opacity, at points of the
+/// unit box away from where the opacity jumps.
+double largestNormalError(const TermPtr& term) {
+    const double h = 1e-5;
+    std::vector<Vec3> around;
+    const std::vector<Vec3> p = pointsIn(kUnitBox, 4000);
+    for (const Vec3& at : p)
+        for (int n = 0; n < 6; ++n) {
+            around.push_back(at);
+            around.back()[n / 2] += n % 2 ? h : -h;
+        }
+    std::vector<ObjectSample> samples(around.size());
+    sample(*term, around, samples, false);
+    const Probed got = probed(term, p);
+    double largest = 0;
+    int compared = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        Vec3 slope;
+        bool smooth = true;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double before = samples[6 * i + 2 * a].opacity, after = samples[6 * i + 2 * a + 1].opacity;
+            smooth = smooth && before > 0 && after > 0 && std::abs(after - before) < 100 * h;
+            slope[int(a)] = (after - before) / (2 * h);
+        }
+        const Vec3 gradient = got.lit[i].normalGradient;
+        // Where it is all but flat, single precision has no direction.
+        if (!smooth || glm::length(slope) < 0.02 || glm::length(gradient) == 0) continue;
+        ++compared;
+        const double cosine = glm::dot(slope, gradient) / (glm::length(slope) * glm::length(gradient));
+        largest = std::max(largest, glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
+    }
+    EXPECT_GT(compared, 300);
+    return largest;
+}
+
+TEST(TermProgram, NormalsAreThoseOfTheDeformedField) {
+    double largest = 0;
+    for (const std::string name : {"affine", "bend", "dissect", "deflect", "insideOut", "open", "rotationalSweep",
+                                   "split", "squeeze", "taper", "twist"})
+        largest = std::max(largest, largestNormalError(through(library(name, kUnitBox), marked())));
+    EXPECT_LT(largest, 0.01);
+    const TermPtr twice = through(library("bend", kUnitBox), through(library("twist", kUnitBox), marked()));
+    EXPECT_LT(largestNormalError(twice), 0.01);
+    // Cells interpolate the Jacobians of their vertices, so that shading shows no facets: less than the map's own
+    // facets.
+    const double cells = largestNormalError(through(bentLattice(kUnitBox, Index3(16)), marked()));
+    EXPECT_LT(cells, 5);
+    std::printf("normals: formulas within %.4f degrees, cells within %.2f\n", largest, cells);
 }
 
 TEST(TermProgram, TextDependsOnStructureOnly) {
