@@ -133,8 +133,13 @@ void wrapAction(Workspace& workspace, const std::string& argument) {
         RecolorObject recolor;
         recolor.opacity = Tracked<PiecewiseLinear>(PiecewiseLinear{{{0, 0}, {1, 1}}});
         outer.kind = recolor;
+    } else if (argument == "displace") {
+        const TransferDefinitionPtr twist = libraryTransfer("twist");
+        if (!twist) throw Error("object.wrap", "the library has no twist to begin with", {});
+        const OfDisplacement whole{libraryUse(*twist, "twist", false, boundsOfScene(workspace))};
+        outer.kind = DisplaceObject{Displacement{ScaleDisplacement{Field{NumberField{0.5}}, Displacement{whole}}}, {}};
     } else {
-        throw Error("object.wrap", "there is no \"" + argument + "\"", "there are place and recolor");
+        throw Error("object.wrap", "there is no \"" + argument + "\"", "there are place, recolor, displace");
     }
     workspace.document.apply("Add " + argument, [&](Scene& scene) { wrapObject(scene, object, outer); });
     selectAndReveal(workspace, object);
@@ -167,7 +172,7 @@ void addAddActions(Actions& actions, Workspace& workspace, const std::function<v
     actions.add({"object.combine", "Combine with a Solid…", "", "OPERATOR [SHAPE]",
                  "Combines what is selected with a new solid: union, intersection, difference, merge, cap, trim, blend",
                  [&](const std::string& argument) { combineAction(workspace, argument); }, open});
-    actions.add({"object.wrap", "Put Around…", "", "KIND", "Puts a place or a recolor around what is selected",
+    actions.add({"object.wrap", "Put Around…", "", "KIND", "Puts a place, recolor or displace around what is selected",
                  [&](const std::string& argument) { wrapAction(workspace, argument); }, open});
 }
 
@@ -213,6 +218,7 @@ const std::vector<AddChoice>& wrapChoices() {
     static const std::vector<AddChoice> choices{
         {"place", "Place", icons::kPlace, "Moves, turns and scales what is selected"},
         {"recolor", "Recolour", icons::kRecolor, "Colour and opacity as tables over an attribute"},
+        {"displace", "Displace", icons::kDisplace, "A displacement to scale and combine: begins with half a twist"},
     };
     return choices;
 }

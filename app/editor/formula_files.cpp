@@ -92,6 +92,7 @@ std::vector<fs::path> formulaFilesIn(const fs::path& folder) {
 
 std::string writtenPath(const fs::path& file, const fs::path& folder) {
     const fs::path absolute = fs::absolute(file).lexically_normal();
+    if (folder.empty()) return absolute.string();
     const fs::path relative = absolute.lexically_relative(fs::absolute(folder).lexically_normal());
     if (relative.empty() || *relative.begin() == "..") return absolute.string();
     return relative.string();

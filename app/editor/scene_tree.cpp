@@ -1,6 +1,7 @@
 #include "app/editor/scene_tree.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -137,6 +138,12 @@ std::optional<Resolved> followed(const Scene& scene, const Node& node) {
         node);
 }
 
+/// Whether two words differ in nothing but case.
+bool alike(const std::string& a, const std::string& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
 /// What a row says of a node, by the node alone.
 void describe(SceneRow& row, const Resolved& shown) {
     row.kind = SceneRow::Kind(shown.node.index());
@@ -163,7 +170,8 @@ void describe(SceneRow& row, const Resolved& shown) {
                           }},
                shown.node);
     if (row.name.empty()) return;
-    if (row.label != row.name) row.detail = row.label + (row.detail.empty() ? "" : "  ·  " + row.detail);
+    // "twist  Twist" would say the same twice.
+    if (!alike(row.label, row.name)) row.detail = row.label + (row.detail.empty() ? "" : "  ·  " + row.detail);
     row.label = row.name;
 }
 

@@ -131,18 +131,22 @@ TreeRowEvents treeRow(const TreeRow& row) {
     } else {
         drawLabel(row, parts);
     }
+    bool onButton = false;
     if (row.parent) {
         events.arrow = plainButton("arrow", row.open ? icons::kOpenSection : icons::kClosedSection, parts.arrow, parts,
                                    1.05f * em, true);
         noteWidget("Open " + row.name);
+        onButton |= ImGui::IsItemHovered();
     }
     if (row.on) {
         events.eye = plainButton("eye", *row.on ? icons::kEye : icons::kEyeOff, parts.max.x - 1.8f * em, parts,
                                  1.6f * em, !*row.on);
         noteWidget("Show " + row.name);
+        onButton |= ImGui::IsItemHovered();
         tooltip(row.eyeHelp);
     }
-    events.clicked = pressed && !events.arrow && !events.eye;
+    events.clicked = pressed && !onButton;
+    events.doubleClicked &= !onButton;
     ImGui::SetCursorScreenPos({parts.min.x, parts.max.y});
     ImGui::PopStyleVar();
     ImGui::PopID();

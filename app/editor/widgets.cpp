@@ -28,7 +28,7 @@ namespace ui {
 
 namespace {
 
-constexpr float kLabelShare = 0.36f;
+constexpr float kLabelShare = 0.39f;
 
 bool escapePressed() {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
@@ -110,10 +110,14 @@ void row(const char* label) {
         ImGui::SetNextItemWidth(-FLT_MIN);
         return;
     }
-    ImGui::AlignTextToFramePadding();
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(shown.c_str());
+    const float right = at.x + labelColumn() - ImGui::GetCursorPosX() - 0.15f * ImGui::GetFontSize();
+    const float y = at.y + ImGui::GetStyle().FramePadding.y;
     ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
-    ImGui::TextUnformatted(shown.c_str());
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {at.x, y}, {right, y + size.y}, right, right, shown.c_str(),
+                              nullptr, &size);
     ImGui::PopStyleColor();
+    ImGui::Dummy({std::max(1.0f, right - at.x), ImGui::GetFrameHeight()});
     ImGui::SameLine(labelColumn());
     ImGui::SetNextItemWidth(-FLT_MIN);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -21,11 +22,6 @@ int decimalsFor(double size) {
     return std::clamp(int(std::ceil(-std::log10(std::max(size / 1000, 1e-9)))), 1, 6);
 }
 
-std::string lower(std::string text) {
-    if (!text.empty() && text.size() > 1 && text[1] >= 'a') text[0] = char(std::tolower(text[0]));
-    return text;
-}
-
 std::string numberText(double value) {
     std::array<char, 32> text;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -43,6 +39,12 @@ std::optional<double> numberIn(const std::string& text) {
 }
 
 }  // namespace
+
+std::string Inspection::stepFor(const std::string& label) {
+    std::string name = label;
+    if (!name.empty()) name[0] = char(std::tolower(static_cast<unsigned char>(name[0])));
+    return "Change " + name;
+}
 
 void Inspection::note(const Edit& edit, const std::string& step) {
     if (!edit.changed && !edit.finished && !edit.cancelled) return;
@@ -120,12 +122,12 @@ Edit Inspection::formulaRow(const char* label, const std::string& member, const 
 void Inspection::formula(const char* label, const std::string& member, const std::string& text,
                          const std::function<void(const std::string&)>& put, const std::string& help) {
     std::string typed;
-    note(formulaRow(label, member, text, typed, put, help), "Change " + lower(label));
+    note(formulaRow(label, member, text, typed, put, help), stepFor(label));
 }
 
 void Inspection::scalar(const char* label, const std::string& member, std::variant<Tracked<double>, std::string>& value,
                         const ParameterFormat& format, const std::string& help) {
-    const std::string step = "Change " + lower(label);
+    const std::string step = stepFor(label);
     if (auto* number = std::get_if<Tracked<double>>(&value)) {
         double now = number->at(workspace_.time);
         if (number->animated()) ui::animatedMark(label);

@@ -33,13 +33,15 @@ public:
     TransferPlot& plot() { return state_.plot; }
     const Box3& box() const { return state_.box; }
 
+    /// "Change" and the label in small letters.
+    static std::string stepFor(const std::string& label);
     /// Takes in what a widget did; `step` names the undo step.
     void note(const Edit& edit, const std::string& step);
 
     /// A row for a value that may have tracks: shows it at the current time with a mark, and drops the tracks when it
     /// is edited. `widget(value)` draws the row.
     template <class T, class Widget>
-    void tracked(const char* label, Tracked<T>& value, const Widget& widget, const std::string& step = {});
+    void tracked(const char* label, Tracked<T>& value, const Widget& widget);
 
     /// Rows of numbers in world units, without ends (`low` apart), dragged by a thousandth of the box.
     void length(const char* label, Tracked<double>& value, double low, const std::string& help = {});
@@ -83,7 +85,7 @@ private:
 };
 
 template <class T, class Widget>
-void Inspection::tracked(const char* label, Tracked<T>& value, const Widget& widget, const std::string& step) {
+void Inspection::tracked(const char* label, Tracked<T>& value, const Widget& widget) {
     T now = value.at(workspace_.time);
     if (value.animated()) ui::animatedMark(label);
     const Edit edit = widget(now);
@@ -91,7 +93,7 @@ void Inspection::tracked(const char* label, Tracked<T>& value, const Widget& wid
         state_.tracksGo |= value.animated();
         value = now;
     }
-    note(edit, step.empty() ? "Change " + std::string(label) : step);
+    note(edit, stepFor(label));
 }
 
 }  // namespace voledit

@@ -29,6 +29,12 @@ void heading(const Workspace& workspace, const std::string& path) {
     if (!row->detail.empty()) ui::finePrint(row->detail);
 }
 
+/// What is odd about the node at `path`: a deflection that folds.
+void drawWarnings(const Workspace& workspace, const std::string& path) {
+    for (const std::string& warning : workspace.compiled.warnings)
+        if (warning.starts_with(path + ": ")) ui::warning(warning.substr(path.size() + 2));
+}
+
 }  // namespace
 
 void InspectorPanel::draw(Workspace& workspace) {
@@ -41,6 +47,7 @@ void InspectorPanel::draw(Workspace& workspace) {
     }
     if (!workspace.document.previewing() || state_.box.empty()) state_.box = boxOf(workspace, path);
     heading(workspace, workspace.selection.node);
+    drawWarnings(workspace, path);
     Inspection inspection(workspace, state_, path);
     // Whole copies go back: a preview starts from the last commit and holds this one edit.
     if (const Transfer* at = findTransferAt(scene, path)) {

@@ -20,7 +20,7 @@ std::string labelOf(const std::string& name) {
 int decimalsFor(const Interval& range) {
     const double length = range.high - range.low;
     if (!std::isfinite(length) || length <= 0) return 3;
-    return std::clamp(int(std::ceil(-std::log10(length / 200))), 0, 5);
+    return std::clamp(int(std::ceil(-std::log10(length / 100))), 0, 5);
 }
 
 /// How a parameter's numbers are shown for lengths of `box`.

@@ -20,10 +20,11 @@ std::vector<Panel> makePanels() {
     const auto inspector = std::make_shared<InspectorPanel>();
     panels.push_back(
         {"Inspector", [inspector](Workspace& w) { inspector->draw(w); }, hasInspector, icons::kSliders, true});
+    const auto hasVolumes = [](const Workspace& w) { return w.open && !w.assets.volumes.empty(); };
     const auto showsLattice = [](const Workspace& w) { return w.open && w.selection.showsLattice(); };
     panels.push_back({"Lattice", [lattice](Workspace& w) { lattice->draw(w); }, showsLattice, icons::kLattice, true});
     panels.push_back(
-        {"Appearance", [appearance](Workspace& w) { appearance->draw(w); }, isOpen, icons::kAppearance, true});
+        {"Appearance", [appearance](Workspace& w) { appearance->draw(w); }, hasVolumes, icons::kAppearance, true});
     panels.push_back({"Render", drawRenderPanel, isOpen, icons::kRender, false});
     panels.push_back({"History", drawHistoryPanel, isOpen, icons::kHistory, false});
     return panels;

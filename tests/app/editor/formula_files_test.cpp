@@ -73,7 +73,7 @@ TEST_F(FormulaFilesTest, AMistakeIsToldOnceWithItsCaretAndTheLastGoodVersionStay
     const auto news = refresh();
     ASSERT_EQ(news.size(), 1u);
     EXPECT_TRUE(news[0].problem);
-    EXPECT_THAT(news[0].text, HasSubstr("\n    ^"));
+    EXPECT_THAT(news[0].text, HasSubstr("z + * 2\n        ^"));
     EXPECT_EQ(assets.transfers.at("ripple.stf"), good);
     EXPECT_THAT(files.problem("ripple.stf"), HasSubstr("^"));
     EXPECT_THAT(refresh(), IsEmpty());

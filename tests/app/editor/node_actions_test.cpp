@@ -101,12 +101,15 @@ TEST_F(NodeActionsTest, EveryOperatorAndEveryShapeCompiles) {
         }
 }
 
-TEST_F(NodeActionsTest, PlaceAndRecolourGoAroundTheSelection) {
+TEST_F(NodeActionsTest, PlaceRecolourAndDisplaceGoAroundTheSelection) {
     run("object.wrap", "place");
     EXPECT_NE(rootAs<PlaceObject>(), nullptr);
     EXPECT_EQ(workspace.selection.node, "/root");
     run("object.wrap", "recolor");
     EXPECT_NE(rootAs<RecolorObject>(), nullptr);
+    run("object.wrap", "displace");
+    ASSERT_NE(rootAs<DisplaceObject>(), nullptr);
+    EXPECT_TRUE(std::holds_alternative<ScaleDisplacement>(rootAs<DisplaceObject>()->by->kind));
 }
 
 TEST_F(NodeActionsTest, WrongArgumentsSayWhatThereIs) {

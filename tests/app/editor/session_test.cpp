@@ -11,6 +11,7 @@
 #include "app/editor/state_json.h"
 #include "core/base/error.h"
 #include "core/io/io_client.h"
+#include "render/term_program.h"
 #include "tests/support/fixtures.h"
 
 namespace voledit {
@@ -193,15 +194,23 @@ TEST_F(SessionTest, AWidgetScrolledOutOfSightIsBroughtBack) {
     EXPECT_EQ(state(session)["undo"].size(), 2u);
 }
 
-// A folded lattice below another one has no slices: rays draw it, and slices come back when the upper one goes.
+// Terms too deep for a shader have no slices: rays draw them, and slices come back when the last layer goes.
 TEST_F(SessionTest, RaysDrawWhatSlicesCannot) {
-    options.file = writeBall(folder);
-    options.size = Index2(640, 420);
+    Json layers = {{"type", "volume"}, {"asset", "ball"}};
+    for (int n = 2; n < kDeepestTermProgram; ++n)
+        layers = {{"type", "recolor"}, {"opacity", {{0, 0}, {1, 1}}}, {"of", layers}};
+    writeBall(folder);
+    options.file = folder / "deep.voledit";
+    const Json deep{
+        {"voledit", 1}, {"assets", {{"ball", {{"kind", "volume"}, {"path", "ball.nrrd"}}}}}, {"root", layers}};
+    std::ofstream(options.file) << deep;
+    options.size = Index2(480, 320);
     Session session(options);
     const std::string scene = (folder / "s.voledit").string(), window = (folder / "window.png").string();
-    play(session, "do lattice.add\ndo select.points 1,1,1\ndo lattice.move 400,0,0\nwait idle\n");
+    play(session, "wait idle\n");
     EXPECT_EQ(state(session)["renderer"], "slices");
-    play(session, "do lattice.add\ndo select.points 3,3,3\ndo lattice.move 5,5,5\nwait idle\n");
+    for (int n = 0; n < 4 && state(session)["renderer"] == "slices"; ++n)
+        play(session, "do node.select\ndo object.wrap recolor\nwait idle\n");
     EXPECT_EQ(state(session)["renderer"], "rays");
     ASSERT_EQ(state(session)["messages"].size(), 1u);
     EXPECT_THAT(state(session)["messages"][0].get<std::string>(), HasSubstr("rays on the CPU draw it"));
@@ -213,7 +222,7 @@ TEST_F(SessionTest, RaysDrawWhatSlicesCannot) {
     EXPECT_EQ(state(session)["renderer"], "rays");
     EXPECT_EQ(state(session)["messages"].size(), 2u) << "told once, and that it was saved";
 
-    play(session, "do lattice.remove\nwait idle\n");
+    play(session, "do edit.undo\nwait idle\n");
     EXPECT_EQ(state(session)["renderer"], "slices");
     play(session, "do view.renderer rays\nframe\n");
     EXPECT_EQ(state(session)["renderer"], "rays");

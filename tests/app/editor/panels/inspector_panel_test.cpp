@@ -255,7 +255,7 @@ TEST_F(InspectorTest, PlaceAndRecolourAndVolume) {
 
 TEST_F(InspectorTest, DisplacementsAndFields) {
     open(R"({ "voledit": 1, "root": { "type": "displace",
-          "by": { "type": "scale", "by": 0.5, "of": { "type": "sum", "of": [ { "type": "fields", "x": 0.1, "y": "z", "z": 0 } ] } },
+          "by": { "type": "scale", "by": 0.5, "of": { "type": "sum", "of": [ { "type": "fields", "x": 0.1, "y": { "expression": "z" }, "z": 0 } ] } },
           "of": { "type": "fields", "opacity": { "expression": "x" }, "color": [1, 0.5, 0] } } })",
          "/root/by");
     ui.enter("Scale", "0.75");

@@ -35,7 +35,7 @@ TEST_F(PanelsTest, RenderPanelEditsTheSettings) {
     EXPECT_TRUE(document().scene().render.light.has_value());
     ui.frame();
     ui.enter("Direction X", "3");
-    EXPECT_EQ(document().scene().render.light->x, 3);
+    EXPECT_EQ(document().scene().render.light.value()->x, 3);
     ui.click("Shading");
     EXPECT_FALSE(document().scene().render.shading);
     ui.frame();
