@@ -68,7 +68,8 @@ bool visible(const CvgTerm& node, const Term&, const Box3& box) {
 bool visible(const RecolorTerm& node, const Term&, const Box3& box) {
     if (!mayBeVisible(*node.of, box)) return false;
     if (!node.opacity || !alwaysHas(*node.of, node.from)) return true;
-    const Interval from = attributeRange(*node.of, box, node.from);
+    // Asking again would double the work at each of many layers.
+    const Interval from = node.from == "opacity" ? Interval{0, 1} : attributeRange(*node.of, box, node.from);
     return largestOpacity(*node.opacity, from.low, from.high) > 0;
 }
 

@@ -11,6 +11,7 @@
 #include "app/editor/state_json.h"
 #include "core/base/error.h"
 #include "core/io/io_client.h"
+#include "core/scene/node_edits.h"
 #include "render/term_program.h"
 #include "tests/support/fixtures.h"
 
@@ -196,21 +197,20 @@ TEST_F(SessionTest, AWidgetScrolledOutOfSightIsBroughtBack) {
 
 // Terms too deep for a shader have no slices: rays draw them, and slices come back when the last layer goes.
 TEST_F(SessionTest, RaysDrawWhatSlicesCannot) {
-    Json layers = {{"type", "volume"}, {"asset", "ball"}};
-    for (int n = 2; n < kDeepestTermProgram; ++n)
-        layers = {{"type", "recolor"}, {"opacity", {{0, 0}, {1, 1}}}, {"of", layers}};
-    writeBall(folder);
-    options.file = folder / "deep.voledit";
-    const Json deep{
-        {"voledit", 1}, {"assets", {{"ball", {{"kind", "volume"}, {"path", "ball.nrrd"}}}}}, {"root", layers}};
-    std::ofstream(options.file) << deep;
+    options.file = writeBall(folder);
     options.size = Index2(480, 320);
     Session session(options);
     const std::string scene = (folder / "s.voledit").string(), window = (folder / "window.png").string();
     play(session, "wait idle\n");
     EXPECT_EQ(state(session)["renderer"], "slices");
-    for (int n = 0; n < 4 && state(session)["renderer"] == "slices"; ++n)
-        play(session, "do node.select\ndo object.wrap recolor\nwait idle\n");
+    session.editor().workspace().document.apply("Add layers", [](Scene& deep) {
+        for (int n = 0; n <= kDeepestTermProgram; ++n) {
+            RecolorObject layer;
+            layer.opacity = Tracked<PiecewiseLinear>(PiecewiseLinear{{{0, 0}, {1, 1}}});
+            wrapObject(deep, kRootPath, Object{layer});
+        }
+    });
+    play(session, "wait idle\n");
     EXPECT_EQ(state(session)["renderer"], "rays");
     ASSERT_EQ(state(session)["messages"].size(), 1u);
     EXPECT_THAT(state(session)["messages"][0].get<std::string>(), HasSubstr("rays on the CPU draw it"));

@@ -130,6 +130,23 @@ TEST(TermBounds, WhatIsProvedEmptyIsEmpty) {
     EXPECT_GT(visible, 500);
 }
 
+// Layer by layer the work doubled once: this did not end.
+TEST(TermBounds, ManyLayersOfRecolouringAreAskedOnceEach) {
+    FieldsTerm fields;
+    fields.opacity = std::make_shared<ConstantField>(0.5);
+    fields.color = {fields.opacity, fields.opacity, fields.opacity};
+    fields.box = {Vec3(-1), Vec3(1)};
+    TermPtr term = makeFieldsTerm(fields);
+    for (int n = 0; n < 200; ++n) {
+        RecolorTerm layer;
+        layer.opacity = PiecewiseLinear{{{0, 0}, {1, 1}}};
+        layer.of = term;
+        term = makeRecolorTerm(layer);
+    }
+    EXPECT_TRUE(mayBeVisible(*term, {Vec3(-0.1), Vec3(0.1)}));
+    EXPECT_FALSE(mayBeVisible(*term, {Vec3(2), Vec3(3)}));
+}
+
 TEST(TermBounds, EmptySpaceLeavesOutNothingVisible) {
     for (unsigned seed = 1; seed <= 40; ++seed) {
         RandomTerms make(seed);
