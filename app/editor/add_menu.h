@@ -5,8 +5,8 @@
 
 namespace voledit {
 
-/// The entries of Add: deformations and objects. Within a menu or popup. Widgets: "Add/Transfers", "Add/Transfers/Twist",
-/// "Add/Transfers/Formula file…", "Add/Objects/Sphere" …
+/// The entries of Add: deformations and objects. Within a menu or popup. Widgets: "Add/Transfers",
+/// "Add/Transfers/Twist", "Add/Transfers/Formula file…", "Add/Objects/Sphere" …
 void drawAddMenu(const Workspace& workspace);
 /// The menu of Shift+A at the mouse; once a frame. Its scope is "Add".
 void drawAddPopup(Workspace& workspace);

@@ -156,6 +156,7 @@ void Editor::frame(const FrameInput& input) {
     guarded([&] { dispatch(events); });
     if (input.close) guarded([&] { files_.quit(); });
     drawInterface();
+    endPendingEdit();
     guarded([&] { settleSelection(workspace_); });
     refreshFormulaFiles(false);
     compileScene();
@@ -287,6 +288,16 @@ void Editor::drawnBy(const std::string& renderer, const std::string& slicesProbl
 }
 
 // ---- What follows from the edits ----------------------------------------------------------------------------------
+
+// An edit whose widget is gone: as if its field had been left.
+void Editor::endPendingEdit() {
+    if (workspace_.pending.step.empty() || ImGui::IsAnyItemActive()) return;
+    if (workspace_.pending.wrong)
+        workspace_.document.cancel();
+    else
+        workspace_.document.commit(workspace_.pending.step);
+    workspace_.pending = {};
+}
 
 // Once a change of the scene, and a few times a second for changes on disk.
 void Editor::refreshFormulaFiles(bool always) {

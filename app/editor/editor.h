@@ -98,6 +98,7 @@ private:
     void drawStatus();
     void drawShortcuts();
     void endGestures();
+    void endPendingEdit();
     void compileScene();
     void refreshFormulaFiles(bool always);
     void drawTimeBar();

@@ -180,6 +180,7 @@ void Files::takeOver(Loader::Result result) {
     workspace_.assets = std::move(opened.assets);
     workspace_.formulaFiles = FormulaFiles(workspace_.formulaFiles.recent());
     workspace_.tree = {};
+    workspace_.pending = {};
     workspace_.problem.clear();
     workspace_.folder = opened.folder;
     workspace_.selection = {};

@@ -137,6 +137,12 @@ const FormulaProblem* FormulaFields::problem(const std::string& key) const {
     return draft != drafts_.end() && draft->second.problem ? &*draft->second.problem : nullptr;
 }
 
+std::optional<bool> FormulaFields::typingWrong() const {
+    for (const auto& [key, draft] : drafts_)
+        if (draft.active) return draft.problem.has_value();
+    return std::nullopt;
+}
+
 Edit FormulaFields::draw(const char* label, const std::string& key, std::string& value,
                          const std::function<void(const std::string& text)>& check, const std::string& help) {
     const auto found = drafts_.find(key);

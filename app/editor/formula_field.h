@@ -40,6 +40,8 @@ public:
 
     /// The mistake of the field `key`; null where it has none.
     const FormulaProblem* problem(const std::string& key) const;
+    /// Whether the field that is being typed in is wrong as it stands; nullopt where none is.
+    std::optional<bool> typingWrong() const;
     /// Forgets what is wrong in all fields: another node is shown.
     void clear() { drafts_.clear(); }
 

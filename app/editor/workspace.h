@@ -45,6 +45,13 @@ struct Workspace {
     RendererChoice renderer = RendererChoice::Auto;
     std::string problem;  // why the scene as it is cannot be compiled; "" where it can
 
+    /// What an inspector previews, for when its widget goes away before it can end the edit (another node is selected
+    /// while a formula is typed): the step's name, and whether what is typed now is wrong.
+    struct Pending {
+        std::string step;
+        bool wrong = false;
+    } pending;
+
     // The interface.
     float scale = 1;   // pixels for each pixel of the design
     double clock = 0;  // editor time, seconds

@@ -53,6 +53,8 @@ void Inspection::note(const Edit& edit, const std::string& step) {
 }
 
 void Inspection::finish() {
+    if (edit_.changed) workspace_.pending.step = step_;
+    if (edit_.finished || edit_.cancelled) workspace_.pending = {};
     if (edit_.cancelled) state_.tracksGo = false;
     applyEdit(workspace_.document, edit_, step_, write);
     if (edit_.finished && std::exchange(state_.tracksGo, false))

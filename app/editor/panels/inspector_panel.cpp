@@ -71,6 +71,7 @@ void InspectorPanel::draw(Workspace& workspace) {
         inspectField(inspection, copy);
         inspection.finish();
     }
+    if (const auto wrong = state_.formulas.typingWrong()) workspace.pending.wrong = *wrong;
 }
 
 bool hasInspector(const Workspace& workspace) {

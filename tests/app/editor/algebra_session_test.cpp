@@ -155,6 +155,27 @@ TEST_F(AlgebraSessionTest, TheTreeIsWalkedAndCutByKeys) {
     EXPECT_EQ(cut["undo"].size(), 7u);
 }
 
+TEST_F(AlgebraSessionTest, SelectingAnotherNodeEndsWhatIsTyped) {
+    Session session(options);
+    const std::string opacity =
+        "do node.select ball\nframe 2\nclick @widget(\"Inspector/Opacity formula\")\nframe 2\n"
+        "click @widget(\"Inspector/Opacity\")\nframe\npress Ctrl+A\n";
+    play(session, "do transfer.add twist\n" + opacity +
+                      "text \"0.5 * (1 - r)\"\nframe\n"
+                      "click @widget(\"Scene/twist\")\nframe 3\n");
+    const Json right = state(session);
+    EXPECT_EQ(right["scene"]["objects"]["ball"]["opacity"], "0.5 * (1 - r)");
+    EXPECT_EQ(right["undo"], Json::parse(R"(["Add twist", "Change opacity", "Change opacity"])"));
+    EXPECT_FALSE(session.editor().workspace().document.previewing());
+    // What is wrong when it is left does not stay, nor what was right on the way to it.
+    play(session,
+         "do node.select ball\nframe 2\nclick @widget(\"Inspector/Opacity\")\nframe\npress Ctrl+A\n"
+         "text \"0.5\"\nframe\ntext \" * nothing\"\nframe\nclick @widget(\"Scene/twist\")\nframe 3\n");
+    EXPECT_EQ(state(session)["scene"], right["scene"]);
+    EXPECT_EQ(state(session)["undo"], right["undo"]);
+    EXPECT_FALSE(session.editor().workspace().document.previewing());
+}
+
 TEST_F(AlgebraSessionTest, TimeIsScrubbedOnlyWhereSomethingChangesOverIt) {
     {
         Session session(options);
