@@ -40,3 +40,10 @@ entry fig8b "8b · Free form: wave" "The letters raised and lowered along the li
 entry fig8c "8c · Free form: twist" "A lattice twisted about the line of text."
 entry fig8d "8d · Free form: perspective" "A lattice that grows from one end to the other."
 entry fig8e "8e · Free form: bend" "The text bent horizontally, by a lattice of degree 9 along it."
+
+# The README's strip of six.
+if command -v montage >/dev/null; then
+    (cd docs/gallery && montage fig1b.png fig1d.png fig2b.png fig3b.png fig4.png fig8e.png -tile 3x2 -geometry 400x300+2+2 -background '#0e0f13' ../pictures/gallery.png)
+else
+    echo "docs/pictures/gallery.png is left as it was: ImageMagick's montage is not installed" >&2
+fi
