@@ -15,6 +15,14 @@ struct GlslFunction {
     std::size_t size = 0;  // statements with those of all it calls
 };
 
+/// Numbers and truths as GLSL spells them.
+inline std::string glslText(int number) {
+    return std::to_string(number);
+}
+inline std::string glslText(bool truth) {
+    return truth ? "true" : "false";
+}
+
 /// Text of one function's body, and how large it is.
 class GlslBody {
 public:

@@ -13,17 +13,13 @@ namespace voledit {
 
 namespace {
 
-std::string text(int number) {
-    return std::to_string(number);
-}
-
 class FieldWriter final : public FieldVisitor {
 public:
     FieldWriter(TermWriter& writer, const FieldPtr& field, bool lit, GlslBody& body)
         : writer_(writer), field_(field), lit_(lit), body_(body) {}
 
     void visit(const ConstantField& field) override {
-        const std::string value = "quad(" + text(writer_.group(Vec4(field.value(), 0, 0, 0))) + ").x";
+        const std::string value = "quad(" + glslText(writer_.group(Vec4(field.value(), 0, 0, 0))) + ").x";
         body_ << "return " + (lit_ ? "vec4(vec3(0.0), " + value + ")" : value) + ";";
     }
 
@@ -31,9 +27,9 @@ public:
         int base = 0;
         const FormulaGraph& graph = lit_ ? field.withGradient() : field.formula();
         const GlslFunction formula = writer_.formula(graph, field.parameters(), base);
-        body_ << "vec3 x = p + quad(" + text(writer_.origin()) + ").xyz;"
-              << "float o[" + text(graph.outputCount()) + "];"
-              << body_.call(formula) + "(" + text(base) + ", float[3](x.x, x.y, x.z), o);";
+        body_ << "vec3 x = p + quad(" + glslText(writer_.origin()) + ").xyz;"
+              << "float o[" + glslText(graph.outputCount()) + "];"
+              << body_.call(formula) + "(" + glslText(base) + ", float[3](x.x, x.y, x.z), o);";
         if (lit_)
             body_ << "vec3 g = vec3(o[1], o[2], o[3]);"
                   << "return vec4(isNan(o[0]) || !isPoint(g) ? vec3(0.0) : g, o[0]);";
@@ -46,11 +42,11 @@ public:
         const std::string grid = writer_.volume(field.volume(), field.channel(), scale);
         const int matrix = writer_.matrix(writer_.fromLocal(field.volume()->indexFromWorld()));
         const std::string kind = nameOf(field.interpolation());
-        const std::string arguments = "(" + grid + ", " + text(scale) + ", index)";
-        body_ << "vec3 index = placed(" + text(matrix) + ", p);"
+        const std::string arguments = "(" + grid + ", " + glslText(scale) + ", index)";
+        body_ << "vec3 index = placed(" + glslText(matrix) + ", p);"
               << "float value = " + kind + "Value" + arguments + ";";
         if (lit_)
-            body_ << "vec3 g = turned(" + text(matrix) + ", " + kind + "Gradient" + arguments + ");"
+            body_ << "vec3 g = turned(" + glslText(matrix) + ", " + kind + "Gradient" + arguments + ");"
                   << "return vec4(isNan(value) || !isPoint(g) ? vec3(0.0) : g, value);";
         else
             body_ << "return value;";
@@ -58,7 +54,7 @@ public:
 
     void visit(const MapField& field) override {
         const GlslFunction of = writeField(writer_, field.of(), lit_);
-        const std::string table = text(writer_.table({}, field.table()));
+        const std::string table = glslText(writer_.table({}, field.table()));
         if (lit_)
             body_ << "vec4 v = " + body_.call(of) + "(p);"
                   << "float slope = isNan(v.w) ? 0.0 : tableSlope(" + table + ", v.w);"
@@ -79,13 +75,13 @@ public:
 
     void visit(const ComponentField& field) override {
         const GlslFunction map = writeMap(writer_, field.of(), lit_);
-        const std::string axis = "[" + text(field.axis()) + "]";
+        const std::string axis = "[" + glslText(field.axis()) + "]";
         body_ << "vec3 q;";
         if (lit_) body_ << "mat3 j;";
         body_ << "bool defined = " + body_.call(map) + (lit_ ? "(p, q, j);" : "(p, q);");
         body_ << "float value = " +
                      (field.displacement() ? "q" + axis + " - p" + axis
-                                           : "q" + axis + " + quad(" + text(writer_.origin()) + ")" + axis) +
+                                           : "q" + axis + " + quad(" + glslText(writer_.origin()) + ")" + axis) +
                      ";"
               << "value = defined ? value : undefinedValue();";
         if (!lit_) {
@@ -106,7 +102,7 @@ public:
             return;
         }
         // One loop, so that compilers put the object in place once.
-        const std::string step = "quad(" + text(writer_.group(Vec4(field.step(), 0, 0, 0))) + ").x";
+        const std::string step = "quad(" + glslText(writer_.group(Vec4(field.step(), 0, 0, 0))) + ").x";
         body_ << "float at[7];"
               << "for (int n = 0; n < 7; ++n) {"
               << "    vec3 x = p;"
@@ -136,8 +132,8 @@ void FieldWriter::visit(const TextField& field) {
     const Vec3 spacing = field.outline()->grid().spacing();
     const int matrix = writer_.matrix(writer_.fromLocal(field.outline()->indexFromWorld()));
     const int shape = writer_.group({spacing.x, 0.5 * field.depth(), spacing.z, writer_.originPoint().y});
-    body_ << "return " + std::string(lit_ ? "litTextDistance" : "textDistance") + "(" + grid + ", " + text(scale) +
-                 ", " + text(matrix) + ", " + text(shape) + ", p);";
+    body_ << "return " + std::string(lit_ ? "litTextDistance" : "textDistance") + "(" + grid + ", " + glslText(scale) +
+                 ", " + glslText(matrix) + ", " + glslText(shape) + ", p);";
 }
 
 }  // namespace

@@ -11,20 +11,13 @@ namespace voledit {
 
 namespace {
 
-std::string text(int number) {
-    return std::to_string(number);
-}
-std::string text(bool truth) {
-    return truth ? "true" : "false";
-}
-
 class MapWriter final : public TransferVisitor {
 public:
     MapWriter(TermWriter& writer, const TransferPtr& map, bool lit, GlslBody& body)
         : writer_(writer), map_(map), lit_(lit), body_(body) {}
 
     void visit(const AffineMap& map) override {
-        const std::string matrix = text(writer_.matrix(writer_.between(*map.affine())));
+        const std::string matrix = glslText(writer_.matrix(writer_.between(*map.affine())));
         body_ << "q = placed(" + matrix + ", p);";
         if (lit_) body_ << "j = linearPart(" + matrix + ");";
         body_ << "return true;";
@@ -35,23 +28,23 @@ public:
         const int outputs = map.formula().outputCount();
         int base = 0;
         const GlslFunction formula = writer_.formula(graph, map.parameters(), base);
-        const std::string from = text(writer_.matrix(writer_.fromLocal(map.formulaFromWorld())));
-        const std::string to = text(writer_.matrix(writer_.toLocal(map.worldFromFormula())));
+        const std::string from = glslText(writer_.matrix(writer_.fromLocal(map.formulaFromWorld())));
+        const std::string to = glslText(writer_.matrix(writer_.toLocal(map.worldFromFormula())));
         body_ << "vec3 u = placed(" + from + ", p);"
-              << "float o[" + text(graph.outputCount()) + "];"
-              << body_.call(formula) + "(" + text(base) + ", float[3](u.x, u.y, u.z), o);"
+              << "float o[" + glslText(graph.outputCount()) + "];"
+              << body_.call(formula) + "(" + glslText(base) + ", float[3](u.x, u.y, u.z), o);"
               << "vec3 given = vec3(o[0], o[1], o[2]);";
         const std::string condition = map.hasCondition() ? "o[3]" : "0.0";
         if (lit_) {
             std::string derivatives = "mat3(";
             for (int column = 0; column < 3; ++column)
                 for (int row = 0; row < 3; ++row)
-                    derivatives += "o[" + text(outputs + 3 * row + column) + (column + row == 4 ? "])" : "], ");
+                    derivatives += "o[" + glslText(outputs + 3 * row + column) + (column + row == 4 ? "])" : "], ");
             body_ << "j = formulaJacobian(" + to + ", " + derivatives + ", " + from + ", isPoint(given) && " +
                          condition + " == 0.0);";
         }
-        body_ << "return formulaMapped(" + to + ", given, " + condition + ", " + text(map.outside() == Outside::Keep) +
-                     ", p, q);";
+        body_ << "return formulaMapped(" + to + ", given, " + condition + ", " +
+                     glslText(map.outside() == Outside::Keep) + ", p, q);";
     }
 
     void visit(const FieldsMap& map) override {
@@ -60,11 +53,11 @@ public:
             const GlslFunction field = writeField(writer_, map.fields()[a], lit_);
             body_ << (lit_ ? "vec4 " : "float ") + names[a] + " = " + body_.call(field) + "(p);";
         }
-        const std::string displacement = text(map.displacement());
+        const std::string displacement = glslText(map.displacement());
         body_ << (lit_ ? "vec3 values = vec3(x.w, y.w, z.w);" : "vec3 values = vec3(x, y, z);");
         if (lit_) body_ << "j = rowsToJacobian(x.xyz, y.xyz, z.xyz, " + displacement + ", isPoint(values));";
-        body_ << "return fieldsMapped(" + text(writer_.origin()) + ", values, " + displacement + ", " +
-                     text(map.outside() == Outside::Keep) + ", p, q);";
+        body_ << "return fieldsMapped(" + glslText(writer_.origin()) + ", values, " + displacement + ", " +
+                     glslText(map.outside() == Outside::Keep) + ", p, q);";
     }
 
     void visit(const SequenceMap& map) override {
@@ -110,7 +103,7 @@ public:
         declareOperand();
         for (const TransferPtr& of : std::span(map.of()).subspan(1)) {
             operand(of, "", "at", "one");
-            body_ << "if (beats(" + text(map.choice() == ChosenMap::Choice::Larger) + ", p, at, q)) {"
+            body_ << "if (beats(" + glslText(map.choice() == ChosenMap::Choice::Larger) + ", p, at, q)) {"
                   << (lit_ ? "    j = one;" : "") << "    q = at;"
                   << "}"
                   << "all = all && given;";
@@ -134,7 +127,7 @@ public:
         // Where pre-images lie upon each other the first counts, which the last one found need not be.
         if (map.cells()->mayOverlap()) body_ << cells.hint + " = kNowhere;";
         body_ << "return " + std::string(lit_ ? "litCellsMapped" : "cellsMapped") + "(" + cells.arguments + ", " +
-                     text(map.outside() == Outside::Keep) + ", p, " + cells.hint + (lit_ ? ", q, j);" : ", q);");
+                     glslText(map.outside() == Outside::Keep) + ", p, " + cells.hint + (lit_ ? ", q, j);" : ", q);");
     }
 
 private:

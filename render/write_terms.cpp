@@ -14,13 +14,6 @@ namespace voledit {
 
 namespace {
 
-std::string text(int number) {
-    return std::to_string(number);
-}
-std::string text(bool truth) {
-    return truth ? "true" : "false";
-}
-
 std::string nameOf(CvgOperator by) {
     static const std::array<std::string, 7> names{"Union", "Intersection", "Difference", "Merge",
                                                   "Cap",   "Trim",         "Blend"};
@@ -44,8 +37,8 @@ public:
     void operator()(const VolumeTerm& node) {
         int scale = 0;
         const std::string grid = writer_.volume(node.volume, node.channel, scale), kind = nameOf(node.interpolation);
-        const std::string matrix = text(writer_.matrix(writer_.fromLocal(node.volume->indexFromWorld())));
-        const std::string arguments = "(" + grid + ", " + text(scale) + ", index)";
+        const std::string matrix = glslText(writer_.matrix(writer_.fromLocal(node.volume->indexFromWorld())));
+        const std::string arguments = "(" + grid + ", " + glslText(scale) + ", index)";
         body_ << "vec3 index = placed(" + matrix + ", p);"
               << "float value = " + kind + "Value" + arguments + ";";
         const auto [low, high] = finiteRange(node.volume->bricks(node.channel));
@@ -63,14 +56,14 @@ public:
         const GlslFunction distance = writeField(writer_, node.distance, lit_);
         int base = 0;
         const GlslFunction opacity = writer_.formula(node.opacity, node.parameters, base);
-        const std::string solid = text(writer_.group(glm::clamp(node.color, 0.0, 1.0), node.falloff));
-        const std::string center = text(writer_.group(node.center - writer_.originPoint()));
+        const std::string solid = glslText(writer_.group(glm::clamp(node.color, 0.0, 1.0), node.falloff));
+        const std::string center = glslText(writer_.group(node.center - writer_.originPoint()));
         const std::string call = body_.call(distance) + "(p);";
         body_ << (lit_ ? "vec4 field = " + call : "float field = " + call)
-              << "float d = solidDistance(" + text(writer_.box(node.shape)) + ", p, field" + (lit_ ? ".w);" : ");")
-              << "vec3 x = p + quad(" + text(writer_.origin()) + ").xyz;"
+              << "float d = solidDistance(" + glslText(writer_.box(node.shape)) + ", p, field" + (lit_ ? ".w);" : ");")
+              << "vec3 x = p + quad(" + glslText(writer_.origin()) + ").xyz;"
               << "float o[1];"
-              << body_.call(opacity) + "(" + text(base) + ", float[5](x.x, x.y, x.z, distance(p, quad(" + center +
+              << body_.call(opacity) + "(" + glslText(base) + ", float[5](x.x, x.y, x.z, distance(p, quad(" + center +
                      ").xyz), d), o);"
               << "Sample s = solidSample(" + solid + ", d, o[0]);";
         if (lit_) body_ << "s.gradient = s.opacity > 0.0 ? -field.xyz : vec3(0.0);";
@@ -83,7 +76,7 @@ public:
         body_ << (lit_ ? "vec4 opacity = " : "float opacity = ") + body_.call(opacity) + "(p);";
         for (std::size_t c = 0; c < 3; ++c)
             body_ << "float " + names[c] + " = " + body_.call(writeField(writer_, node.color[c], false)) + "(p);";
-        body_ << "bool inside = withinBox(" + text(writer_.box(node.box)) + ", p);"
+        body_ << "bool inside = withinBox(" + glslText(writer_.box(node.box)) + ", p);"
               << "Sample s = fieldsSample(inside, opacity" + std::string(lit_ ? ".w" : "") + ", vec3(r, g, b));";
         if (lit_) body_ << "s.gradient = s.opacity > 0.0 ? opacity.xyz : vec3(0.0);";
         const auto named = node.attributes.find(attribute_);
@@ -105,10 +98,10 @@ public:
         const std::string own = ownAttribute(node.from);
         const GlslFunction of = writeTerm(writer_, node.of, lit_, own.empty() ? node.from : attribute_);
         const std::string table =
-            text(writer_.table(node.color.value_or(ColorTable{}), node.opacity.value_or(PiecewiseLinear{})));
+            glslText(writer_.table(node.color.value_or(ColorTable{}), node.opacity.value_or(PiecewiseLinear{})));
         body_ << "Sample s = " + body_.call(of) + "(p);"
-              << "recolor(" + table + ", " + text(node.color.has_value()) + ", " + text(node.opacity.has_value()) +
-                     ", " + (own.empty() ? "s.value" : "s." + own) + ", s);";
+              << "recolor(" + table + ", " + glslText(node.color.has_value()) + ", " +
+                     glslText(node.opacity.has_value()) + ", " + (own.empty() ? "s.value" : "s." + own) + ", s);";
         if (!attribute_.empty() && own.empty() && attribute_ != node.from)
             body_ << "s.value = " + body_.call(writeTerm(writer_, node.of, false, attribute_)) + "(p).value;";
         body_ << "return s;";
@@ -131,12 +124,12 @@ private:
 
     /// `value` through a transfer function; `gradient` is an expression.
     void classify(const TransferFunction& look, const Interval& values, const std::string& gradient) {
-        const std::string table = text(writer_.table(look.color, look.opacity, values));
+        const std::string table = glslText(writer_.table(look.color, look.opacity, values));
         const bool steepnessCounts = !look.gradientOpacity.points.empty();
         body_ << "Sample s = classified(" + table + ", value);";
         if (lit_ || steepnessCounts) body_ << "vec3 gradient = " + gradient + ";";
         if (steepnessCounts)
-            body_ << "fadeBySteepness(" + text(writer_.table({}, look.gradientOpacity)) + ", gradient, s);";
+            body_ << "fadeBySteepness(" + glslText(writer_.table({}, look.gradientOpacity)) + ", gradient, s);";
         if (lit_) body_ << "s.gradient = s.opacity > 0.0 && isPoint(gradient) ? gradient : vec3(0.0);";
         if (attribute_ != "scalar") body_ << "s.value = undefinedValue();";
         body_ << "return s;";
@@ -147,13 +140,13 @@ private:
         const TermWriter::Cells cells = writer_.cells(node.by);
         const Vec3 sources = sourceBox(*node.by->cells()).size();
         const double reach = glm::max(glm::max(sources.x, sources.y), sources.z);
-        const std::string slack = text(writer_.group(Vec4(4e-6 * reach, 0, 0, 0)));
+        const std::string slack = glslText(writer_.group(Vec4(4e-6 * reach, 0, 0, 0)));
         const GlslFunction of = writeTerm(writer_, node.of, lit_, attribute_);
         const bool keep = node.by->outside() == Outside::Keep;
         body_ << "PreImages found;"
               << "findPreImages(" + cells.arguments + ", " + slack + ", p, found);"
               << "Combined c = firstPreImage(emptySample());"
-              << "bool kept = " + text(keep) + " && found.count == 0;"
+              << "bool kept = " + glslText(keep) + " && found.count == 0;"
               << "int count = kept ? 1 : found.count;"
               << "for (int n = 0; n < count; ++n) {"
               << "    vec3 q = kept ? p : found.source[n];"
