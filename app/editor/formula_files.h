@@ -34,7 +34,7 @@ public:
     /// Why the file that the scene writes as `written` cannot be read as it is now; "" where it can.
     const std::string& problem(const std::string& written) const;
 
-    /// Files added in this session, the last one first, at most ten.
+    /// Files added since the editor was started, the last one first, at most ten.
     const std::vector<std::filesystem::path>& recent() const { return recent_; }
     void remember(const std::filesystem::path& file);
 
