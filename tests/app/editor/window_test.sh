@@ -53,8 +53,8 @@ window=$(xdotool search --name voledit | tail -1)
 
 xdotool mousemove 500 400
 sleep 0.3
-xdotool key shift+a
-await '^release A'
+xdotool key ctrl+l
+await '^release L'
 # Where the lattice's corner stands is asked of the editor itself, headless: the same events, the same place.
 sleep 1
 printf 'do lattice.add\nmove @point(lattice,3,0,3)\nframe\n' >"$work/find.ev"
