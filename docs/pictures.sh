@@ -5,4 +5,5 @@ cd "$(dirname "$0")/.."
 mkdir -p build/pictures docs/pictures
 build/release/voledit render resources/scenes/welcome.voledit -o docs/pictures/welcome.png --size 960x720
 build/release/voledit edit resources/scenes/welcome.voledit --headless --size 1280x800 --play docs/pictures.events
-cp build/pictures/editor.png docs/pictures/
+build/release/voledit edit resources/scenes/gallery/fig2b.voledit --headless --size 1280x800 --play docs/algebra.events
+cp build/pictures/editor.png build/pictures/algebra.png docs/pictures/
