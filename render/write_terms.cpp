@@ -66,7 +66,7 @@ public:
               << body_.call(opacity) + "(" + glslText(base) + ", float[5](x.x, x.y, x.z, distance(p, quad(" + center +
                      ").xyz), d), o);"
               << "Sample s = solidSample(" + solid + ", d, o[0]);";
-        if (lit_) body_ << "s.gradient = s.opacity > 0.0 ? -field.xyz : vec3(0.0);";
+        if (lit_) body_ << "s.gradient = isNan(s.depth) ? vec3(0.0) : -field.xyz;";
         body_ << "return s;";
     }
 

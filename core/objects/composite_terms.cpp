@@ -57,9 +57,16 @@ void evaluateFolded(const TransferTerm& node, std::span<const Vec3> p, std::span
 
 /// True if a term's operand n > 0 makes no difference where what stands left of it has opacity 0.
 bool needsVisibleFirst(CvgOperator by, const Asked& asked) {
-    // An intersection's scalar and colour there may be the second's, if anyone asks.
+    // The depth of all operands counts for an operator above; an intersection's scalar and colour there may be the
+    // second's, if anyone asks.
+    if (asked.depth) return false;
     return by == CvgOperator::Difference || by == CvgOperator::Cap || by == CvgOperator::Trim ||
            (by == CvgOperator::Intersection && !asked.attribute && !asked.colorEverywhere);
+}
+
+/// True for operators that lay bare surfaces of solids.
+bool needsDepth(CvgOperator by) {
+    return by == CvgOperator::Difference || by == CvgOperator::Cap || by == CvgOperator::Intersection;
 }
 
 }  // namespace
@@ -84,7 +91,9 @@ void evaluateTransfer(const TransferTerm& node, std::span<const Vec3> p, std::sp
 }
 
 void evaluateCvg(const CvgTerm& node, std::span<const Vec3> p, std::span<ObjectSample> sample, const Asked& asked) {
-    evaluate(*node.of.front(), p, sample, asked);
+    Asked ofOperands = asked;
+    ofOperands.depth = asked.depth || (asked.gradient && needsDepth(node.by));
+    evaluate(*node.of.front(), p, sample, ofOperands);
     std::vector<double> weight(node.by == CvgOperator::Blend ? p.size() : 0);
     if (node.by == CvgOperator::Blend) node.weight->sample(p, weight);
     std::vector<std::uint32_t> which;
@@ -97,9 +106,9 @@ void evaluateCvg(const CvgTerm& node, std::span<const Vec3> p, std::span<ObjectS
         if (which.empty()) return;
         other.resize(which.size());
         if (which.size() == p.size())
-            evaluate(*node.of[operand], p, other, asked);
+            evaluate(*node.of[operand], p, other, ofOperands);
         else
-            evaluate(*node.of[operand], gathered(p, which), other, asked);
+            evaluate(*node.of[operand], gathered(p, which), other, ofOperands);
         for (std::size_t n = 0; n < which.size(); ++n) {
             ObjectSample& s = sample[which[n]];
             s = cvg(node.by, s, other[n], weight.empty() ? 0 : weight[n]);

@@ -11,6 +11,10 @@ bool hasValue(const ObjectSample& s) {
     return s.value == s.value;
 }
 
+bool hasDepth(const ObjectSample& s) {
+    return s.depth == s.depth;
+}
+
 /// C₁ if O₁ ≥ O₂, else C₂.
 Vec3 selected(const ObjectSample& a, const ObjectSample& b) {
     return a.opacity >= b.opacity ? a.color : b.color;
@@ -40,23 +44,34 @@ ObjectSample blended(const ObjectSample& a, const ObjectSample& b, double weight
 
 ObjectSample cvg(CvgOperator by, const ObjectSample& a, const ObjectSample& b, double weight) {
     const double value = valueOfLarger(a, a.opacity, b, b.opacity);
+    const bool solids = hasDepth(a) && hasDepth(b);
+    const Vec3& ofLarger = b.opacity > a.opacity ? b.normalGradient : a.normalGradient;
+    // Outside both, the nearer surface is the one that an operator above may lay bare.
+    const bool nearerSecond = solids && a.opacity == 0 && b.opacity == 0 && b.depth > a.depth;
+    const Vec3& ofShallower = b.depth < a.depth ? b.normalGradient : a.normalGradient;
     switch (by) {
         case CvgOperator::Union:
-            return {std::max(a.opacity, b.opacity), selected(a, b), value,
-                    b.opacity > a.opacity ? b.normalGradient : a.normalGradient};
+            return {std::max(a.opacity, b.opacity), selected(a, b), value, nearerSecond ? b.normalGradient : ofLarger,
+                    solids ? std::max(a.depth, b.depth) : kNaN};
         case CvgOperator::Intersection:
             return {std::min(a.opacity, b.opacity), selected(a, b), value,
-                    b.opacity < a.opacity ? b.normalGradient : a.normalGradient};
+                    solids                  ? ofShallower
+                    : b.opacity < a.opacity ? b.normalGradient
+                                            : a.normalGradient,
+                    solids ? std::min(a.depth, b.depth) : kNaN};
         case CvgOperator::Merge:
             return {std::min(1.0, a.opacity + b.opacity), mixed(a.color, a.opacity, b.color, b.opacity), value,
-                    b.opacity > a.opacity ? b.normalGradient : a.normalGradient};
-        case CvgOperator::Difference:
-            return {std::max(0.0, a.opacity - b.opacity), a.color, a.value,
-                    b.opacity > 0 && b.normalGradient != Vec3(0) ? -b.normalGradient : a.normalGradient};
+                    ofLarger};
+        case CvgOperator::Difference: {
+            const bool bare = solids ? -b.depth < a.depth : b.opacity > 0 && b.normalGradient != Vec3(0);
+            return {std::max(0.0, a.opacity - b.opacity), a.color, a.value, bare ? -b.normalGradient : a.normalGradient,
+                    solids ? std::min(a.depth, -b.depth) : kNaN};
+        }
         case CvgOperator::Cap:
-            return {a.opacity <= b.opacity ? a.opacity : 0, a.color, a.value, a.normalGradient};
+            return {a.opacity <= b.opacity ? a.opacity : 0, a.color, a.value, solids ? ofShallower : a.normalGradient,
+                    solids ? std::min(a.depth, b.depth) : kNaN};
         case CvgOperator::Trim:
-            return {a.opacity >= b.opacity ? a.opacity : 0, a.color, a.value, a.normalGradient};
+            return {a.opacity >= b.opacity ? a.opacity : 0, a.color, a.value, a.normalGradient, a.depth};
         case CvgOperator::Blend:
             break;
     }

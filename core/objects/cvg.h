@@ -11,7 +11,10 @@ namespace voledit {
 ///   first's on a tie, one that has a value before one that has none; of the others, the first's.
 /// - `normalGradient` is that of the operand whose surface is seen: union, merge, blend: the larger (weighted) opacity;
 ///   intersection: the smaller; the first on ties; cap, trim: the first; difference: the first, but where the second
-///   takes something off, −∇ of the second (if it is not 0), since there its surface is laid bare.
+///   takes something off, −∇ of the second (if it is not 0), since there its surface is laid bare. Between two samples
+///   with depths, intersection, cap and difference take the surface that is nearer.
+/// - `depth` is that of the shape which the operator makes of the two: the larger (union), the smaller (intersection,
+///   cap), the smaller of the first and minus the second (difference), the first's (trim); NaN where one has none.
 ObjectSample cvg(CvgOperator by, const ObjectSample& a, const ObjectSample& b, double weight = 0);
 
 /// `x` clamped to [0, 1]; 0 where it is undefined or infinite: a division by zero shows nothing.

@@ -10,6 +10,8 @@ constexpr std::size_t kBlock = 1024;  // points evaluated together: what a level
 /// What a caller wants of each sample besides opacity.
 struct Asked {
     bool gradient = false;
+    /// `depth`, and the gradient of solids also where opacity is 0: operators that lay surfaces bare need them.
+    bool depth = false;
     /// Colour also where opacity is 0.
     bool colorEverywhere = false;
     /// The attribute that `value` is to be, other than those every object has; null: none, `value` may be anything.

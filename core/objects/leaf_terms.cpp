@@ -135,7 +135,8 @@ void evaluateSolid(const SolidTerm& node, std::span<const Vec3> p, std::span<Obj
         // What a formula says beyond its bounds is not part of the shape.
         const double outside = distanceOutside(node.shape, p[i]);
         const double x = outside > 0 ? std::max(distance[i], outside) : distance[i];
-        if (x <= 0 || x < node.falloff) {
+        if (asked.depth) sample[i].depth = -x;
+        if (x <= 0 || x < node.falloff || asked.depth) {
             near.push_back(std::uint32_t(i));
             d.push_back(x);
         }
@@ -146,9 +147,11 @@ void evaluateSolid(const SolidTerm& node, std::span<const Vec3> p, std::span<Obj
     std::vector<Vec3> gradient(at.size());
     if (asked.gradient) node.distance->gradient(at, gradient);
     for (std::size_t n = 0; n < near.size(); ++n) {
-        const double fade = d[n] <= 0 ? 1 : 1 - d[n] / node.falloff;
+        ObjectSample& s = sample[near[n]];
+        if (asked.depth) s.normalGradient = -gradient[n];
+        const double fade = d[n] <= 0 ? 1 : d[n] < node.falloff ? 1 - d[n] / node.falloff : 0;
         if (!(opacity[n] * fade > 0)) continue;
-        sample[near[n]] = {opacity[n] * fade, glm::clamp(node.color, 0.0, 1.0), kNaN, -gradient[n]};
+        s = {opacity[n] * fade, glm::clamp(node.color, 0.0, 1.0), kNaN, -gradient[n], s.depth};
     }
 }
 

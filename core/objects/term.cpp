@@ -56,7 +56,9 @@ void sample(const Term& term, std::span<const Vec3> p, std::span<ObjectSample> s
             const std::string& attribute) {
     assert(p.size() == sample.size());
     const bool own = ownAttribute(attribute, {}).has_value();
-    const Asked asked{withGradient, own && attribute != "opacity", own || attribute.empty() ? nullptr : &attribute};
+    const Asked asked{.gradient = withGradient,
+                      .colorEverywhere = own && attribute != "opacity",
+                      .attribute = own || attribute.empty() ? nullptr : &attribute};
     for (std::size_t start = 0; start < p.size(); start += kBlock) {
         const std::size_t count = std::min(kBlock, p.size() - start);
         evaluate(term, p.subspan(start, count), sample.subspan(start, count), asked);

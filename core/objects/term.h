@@ -114,6 +114,9 @@ struct ObjectSample {
     /// that of the operand which decides (README.md).
     double value = kNaN;
     Vec3 normalGradient{0};  // gradient that shades, in the space of p (turned by every Jacobian above); 0: unlit
+    /// How deep the point lies within a surface of solids (−d, and less for what others take off it; negative outside),
+    /// for CVG operators to tell whose surface is near; NaN where there is none, and where no operator asks.
+    double depth = kNaN;
 };
 
 /// sample[i] = what `term` is at p[i]; opacity 0 where p[i] is outside or a map is undefined. The gradient is computed

@@ -16,32 +16,47 @@ float valueOfLarger(Sample a, float opacityOfA, Sample b, float opacityOfB) {
     return second ? b.value : a.value;
 }
 
+// Whether both have a surface of solids near.
+bool haveDepths(Sample a, Sample b) {
+    return !isNan(a.depth) && !isNan(b.depth);
+}
+
 Sample cvgUnion(Sample a, Sample b) {
+    bool nearer = haveDepths(a, b) && a.opacity == 0.0 && b.opacity == 0.0 && b.depth > a.depth;
     return Sample(max(a.opacity, b.opacity), selectedColor(a, b), valueOfLarger(a, a.opacity, b, b.opacity),
-                  b.opacity > a.opacity ? b.gradient : a.gradient);
+                  b.opacity > a.opacity || nearer ? b.gradient : a.gradient,
+                  haveDepths(a, b) ? max(a.depth, b.depth) : undefinedValue());
 }
 
 Sample cvgIntersection(Sample a, Sample b) {
+    bool solids = haveDepths(a, b);
+    bool second = solids ? b.depth < a.depth : b.opacity < a.opacity;
     return Sample(min(a.opacity, b.opacity), selectedColor(a, b), valueOfLarger(a, a.opacity, b, b.opacity),
-                  b.opacity < a.opacity ? b.gradient : a.gradient);
+                  second ? b.gradient : a.gradient, solids ? min(a.depth, b.depth) : undefinedValue());
 }
 
 Sample cvgMerge(Sample a, Sample b) {
     return Sample(min(1.0, a.opacity + b.opacity), mixedColor(a.color, a.opacity, b.color, b.opacity),
-                  valueOfLarger(a, a.opacity, b, b.opacity), b.opacity > a.opacity ? b.gradient : a.gradient);
+                  valueOfLarger(a, a.opacity, b, b.opacity), b.opacity > a.opacity ? b.gradient : a.gradient,
+                  undefinedValue());
 }
 
 Sample cvgDifference(Sample a, Sample b) {
-    bool bare = b.opacity > 0.0 && b.gradient != vec3(0.0);
-    return Sample(max(0.0, a.opacity - b.opacity), a.color, a.value, bare ? -b.gradient : a.gradient);
+    bool solids = haveDepths(a, b);
+    bool bare = solids ? -b.depth < a.depth : b.opacity > 0.0 && b.gradient != vec3(0.0);
+    return Sample(max(0.0, a.opacity - b.opacity), a.color, a.value, bare ? -b.gradient : a.gradient,
+                  solids ? min(a.depth, -b.depth) : undefinedValue());
 }
 
 Sample cvgCap(Sample a, Sample b) {
-    return Sample(a.opacity <= b.opacity ? a.opacity : 0.0, a.color, a.value, a.gradient);
+    bool solids = haveDepths(a, b);
+    return Sample(a.opacity <= b.opacity ? a.opacity : 0.0, a.color, a.value,
+                  solids && b.depth < a.depth ? b.gradient : a.gradient,
+                  solids ? min(a.depth, b.depth) : undefinedValue());
 }
 
 Sample cvgTrim(Sample a, Sample b) {
-    return Sample(a.opacity >= b.opacity ? a.opacity : 0.0, a.color, a.value, a.gradient);
+    return Sample(a.opacity >= b.opacity ? a.opacity : 0.0, a.color, a.value, a.gradient, a.depth);
 }
 
 Sample cvgBlend(Sample a, Sample b, float weight) {
@@ -49,7 +64,8 @@ Sample cvgBlend(Sample a, Sample b, float weight) {
     float partOfB = weight * b.opacity;
     vec3 color = mixedColor(a.color, partOfA, b.color, partOfB);
     Sample s = Sample(clamp(partOfA + partOfB, 0.0, 1.0), clamp(color, 0.0, 1.0),
-                      valueOfLarger(a, partOfA, b, partOfB), partOfB > partOfA ? b.gradient : a.gradient);
+                      valueOfLarger(a, partOfA, b, partOfB), partOfB > partOfA ? b.gradient : a.gradient,
+                      undefinedValue());
     return isFinite(weight) && isPoint(color) ? s : emptySample();
 }
 

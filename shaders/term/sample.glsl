@@ -6,10 +6,11 @@ struct Sample {
     vec3 color;
     float value;    // the attribute asked for; NaN where there is none
     vec3 gradient;  // that shades, in the space of the point; 0: unlit
+    float depth;    // how deep within a surface of solids; NaN where there is none
 };
 
 Sample emptySample() {
-    return Sample(0.0, vec3(0.0), undefinedValue(), vec3(0.0));
+    return Sample(0.0, vec3(0.0), undefinedValue(), vec3(0.0), undefinedValue());
 }
 
 // A scalar through a transfer function. `table` holds colour and opacity.
@@ -46,6 +47,7 @@ Sample solidSample(int solid, float distance, float opacity) {
     float fade = distance <= 0.0 ? 1.0 : max(1.0 - distance / max(quad(solid).w, 1e-30), 0.0);
     s.opacity = isFinite(distance) && isFinite(opacity) ? clamp(opacity, 0.0, 1.0) * fade : 0.0;
     s.color = quad(solid).xyz;
+    if (isFinite(distance)) s.depth = -distance;
     return s;
 }
 

@@ -231,5 +231,34 @@ TEST(Attributes, EveryObjectHasOpacityAndColour) {
     EXPECT_TRUE(std::isnan(sampled(ball, {kUndefined}, false, "opacity")[0].value));
 }
 
+/// Angle between a gradient and a direction, degrees.
+double angleBetween(const Vec3& gradient, const Vec3& direction) {
+    const double cosine = glm::dot(gradient, direction) / (glm::length(gradient) * glm::length(direction));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / kPi;
+}
+
+TEST(CvgTerm, HardSolidsAreLitByTheSurfaceThatIsNear) {
+    const auto box = solid(BoxShape{Vec3(-1), Vec3(1)}, Vec3(1), "1");
+    const auto ball = solid(SphereShape{{1, 0, 0}, 0.7}, Vec3(1), "1");
+    const Vec3 center(1, 0, 0), radial = glm::normalize(Vec3(-1, 0.5, 0.3));
+    // Just outside the ball, hence in the wall of the hollow; the box's own faces are farther.
+    const auto hollow = makeCvgTerm(CvgOperator::Difference, {box, ball});
+    const ObjectSample wall = sampled(hollow, {center + 0.71 * radial}, true)[0];
+    EXPECT_EQ(wall.opacity, 1);
+    EXPECT_LT(angleBetween(wall.normalGradient, radial), 1e-6);
+    const ObjectSample face = sampled(hollow, {Vec3(-0.99, 0.5, 0.2)}, true)[0];
+    EXPECT_LT(angleBetween(face.normalGradient, Vec3(1, 0, 0)), 1e-6);
+    // Just inside the ball: the lens that both share shows the ball's surface there, the box's at x = 1.
+    for (const CvgOperator by : {CvgOperator::Intersection, CvgOperator::Cap}) {
+        const auto lens = makeCvgTerm(by, {box, ball});
+        EXPECT_LT(angleBetween(sampled(lens, {center + 0.69 * radial}, true)[0].normalGradient, -radial), 1e-6);
+        EXPECT_LT(angleBetween(sampled(lens, {Vec3(0.99, 0.1, 0)}, true)[0].normalGradient, Vec3(-1, 0, 0)), 1e-6);
+    }
+    // Composites have surfaces too: a drilled hollow in a union.
+    const auto pair = makeCvgTerm(CvgOperator::Union, {ball, solid(SphereShape{{-1, 0, 0}, 0.5}, Vec3(1), "1")});
+    const auto drilled = makeCvgTerm(CvgOperator::Difference, {box, pair});
+    EXPECT_LT(angleBetween(sampled(drilled, {center + 0.71 * radial}, true)[0].normalGradient, radial), 1e-6);
+}
+
 }  // namespace
 }  // namespace voledit
