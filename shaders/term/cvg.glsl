@@ -80,39 +80,27 @@ Combined firstPreImage(Sample s) {
     return Combined(s, s.opacity, s.opacity);
 }
 
-void carryValue(Combined before, Sample s, inout Combined c) {
+// `result` is what the operator makes of all so far and s; what of the other members follows from all pre-images at
+// once is carried on.
+Combined carried(Combined before, Sample s, Sample result, bool shades) {
     bool counts = s.opacity > before.largest || (s.opacity == before.largest && isNan(before.result.value));
-    c.result.value = counts ? s.value : before.result.value;
-    c.largest = max(before.largest, s.opacity);
-    c.smallest = min(before.smallest, s.opacity);
+    result.value = counts ? s.value : before.result.value;
+    result.gradient = shades ? s.gradient : before.result.gradient;
+    return Combined(result, max(before.largest, s.opacity), min(before.smallest, s.opacity));
 }
 
 Combined combineUnion(Combined before, Sample s) {
-    Combined c = before;
-    c.result = cvgUnion(before.result, s);
-    c.result.gradient = s.opacity > before.largest ? s.gradient : before.result.gradient;
-    carryValue(before, s, c);
-    return c;
+    return carried(before, s, cvgUnion(before.result, s), s.opacity > before.largest);
 }
 
 Combined combineMerge(Combined before, Sample s) {
-    Combined c = before;
-    c.result = cvgMerge(before.result, s);
-    c.result.gradient = s.opacity > before.largest ? s.gradient : before.result.gradient;
-    carryValue(before, s, c);
-    return c;
+    return carried(before, s, cvgMerge(before.result, s), s.opacity > before.largest);
 }
 
 Combined combineIntersection(Combined before, Sample s) {
-    Combined c = before;
-    c.result = cvgIntersection(before.result, s);
-    c.result.gradient = s.opacity < before.smallest ? s.gradient : before.result.gradient;
-    carryValue(before, s, c);
-    return c;
+    return carried(before, s, cvgIntersection(before.result, s), s.opacity < before.smallest);
 }
 
 Combined combineFirst(Combined before, Sample s) {
-    Combined c = before;
-    carryValue(before, s, c);
-    return c;
+    return carried(before, s, before.result, false);
 }
