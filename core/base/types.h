@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/ext/quaternion_double.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -19,6 +20,7 @@ using Vec3 = glm::dvec3;
 using Vec4 = glm::dvec4;
 using Mat3 = glm::dmat3;
 using Mat4 = glm::dmat4;
+using Quat = glm::dquat;  // made as Quat(w, x, y, z)
 using Vec2f = glm::vec2;
 using Vec3f = glm::vec3;
 using Vec4f = glm::vec4;

@@ -19,6 +19,7 @@ struct Track {
     struct Key {
         double time = 0;            // seconds
         std::vector<double> value;  // one number, or all of a list's, lists within lists laid flat
+        std::optional<Interpolation> interpolation = {};  // to the next key, where it is not the track's
         bool operator==(const Key&) const = default;
     };
     std::vector<Key> keys;  // at least one, times not decreasing, values of one length
