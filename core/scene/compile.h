@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/objects/term.h"
-#include "core/rigging/opaque_voxels.h"
 #include "core/scene/nodes.h"
 #include "core/scene/scene.h"
 #include "core/skeleton/limb_regions.h"
