@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/bench_actor.h"
 #include "app/cli/bench_formulas.h"
 #include "app/cli/commands.h"
 #include "app/cli/drawing.h"
@@ -112,6 +113,7 @@ int bench(BenchArguments a, const CommonArguments& common) {
         part["frame_ms"] = benchFrames(*drawing, compiled, size, a.repeats);
         if (std::holds_alternative<TransferTerm>(compiled.root->node))
             part.update(benchEdits(*drawing, opened, size, a.repeats));
+        if (!compiled.actors.empty()) part["playing"] = benchPlaying(*drawing, opened, size, std::max(a.repeats, 5));
         part["start_to_first_picture_ms"] = benchStart(a, renderer);
         json[renderer] = part;
     }
