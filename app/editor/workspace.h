@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor/actions.h"
+#include "app/editor/actor_state.h"
 #include "app/editor/formula_files.h"
 #include "app/editor/selection.h"
 #include "app/editor/tree_state.h"
@@ -35,6 +36,7 @@ struct Workspace {
     FormulaFiles formulaFiles;
     std::filesystem::path folder;  // asset paths of the document are relative to it
     Selection selection;
+    ActorState actors;
 
     // What is looked at. The camera is the editor's own: navigating is no undo step; saving writes it into the scene.
     Camera camera;
