@@ -37,8 +37,8 @@ struct Skeleton {
 };
 
 /// Brings joints into an order in which parents stand before children, otherwise as they were. Throws Error, naming the
-/// joint, for names given twice or empty, parents that are missing, circles, positions that are not finite, and more
-/// joints than `kMostJoints`. `parents[i]` is the name of joint i's parent, "" for none.
+/// joint, for names given twice or empty, parents that are missing, circles, positions that are not finite, limits
+/// that leave no angle, and more joints than `kMostJoints`. `parents[i]` is the name of joint i's parent, "" for none.
 inline constexpr std::size_t kMostJoints = 10'000;
 Skeleton makeSkeleton(std::vector<Joint> joints, const std::vector<std::string>& parents);
 
@@ -69,6 +69,9 @@ Skeleton laidInto(const Skeleton& skeleton, const Mat4& objectFromSkeleton);
 
 /// Interpolates pose a (s = 0) to b (s = 1): rotations by slerp along the shortest path, translations linearly.
 Pose interpolated(const Pose& a, const Pose& b, double s);
+
+/// Rotation a (s = 0) to b (s = 1), both unit, along the shortest path; a itself where they are equal.
+Quat slerped(const Quat& a, const Quat& b, double s);
 
 /// Rotation from degrees about x, y, z (R_z·R_y·R_x, as `place`), and back: components in [−180, 180], y in [−90, 90].
 Quat quatOfDegrees(const Vec3& degrees);
