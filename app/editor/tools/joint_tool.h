@@ -41,6 +41,8 @@ public:
     std::string hint(const ToolContext& context) const;
     /// "Rotate X 12.5°" while something goes on; else empty.
     std::string readout() const;
+    /// Whether a joint, a bone or a ring is under the pointer.
+    bool hoversAny() const { return hovered_ || hoveredRing_; }
     /// Name of the joint under the pointer, for a tooltip; empty where none is.
     std::string hoveredName() const;
 

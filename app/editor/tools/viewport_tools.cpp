@@ -16,8 +16,21 @@ double sceneSize(const ToolContext& context) {
 
 }  // namespace
 
+bool ViewportTools::toTools(ToolContext& context, const PointerEvent& event) {
+    if (!joints_.idle()) return joints_.pointer(context, event);
+    if (!lattice_.idle()) return lattice_.pointer(context, event);
+    // The lattice learns of every move, so that what is under the pointer is known when a button goes down.
+    if (event.phase == PointerPhase::Move && lattice_.pointer(context, event)) return true;
+    if (lattice_.hovered()) {
+        joints_.pointer(context, {PointerPhase::Leave, event.at, PointerButton::None, {}, 0});
+        return event.phase != PointerPhase::Move && lattice_.pointer(context, event);
+    }
+    if (joints_.pointer(context, event)) return true;
+    return event.phase != PointerPhase::Move && lattice_.pointer(context, event);
+}
+
 void ViewportTools::pointer(ToolContext context, const PointerEvent& event) {
-    const bool taken = lattice_.pointer(context, event);
+    const bool taken = toTools(context, event);
     if (event.phase == PointerPhase::Down && captured_ == PointerButton::None) {
         captured_ = event.button;
         if (!taken) startDrag(event);
@@ -63,18 +76,22 @@ void ViewportTools::navigate(ToolContext& context, const PointerEvent& event) {
 }
 
 bool ViewportTools::key(ToolContext context, const KeyEvent& event) {
-    return lattice_.key(context, event);
+    return joints_.key(context, event) || lattice_.key(context, event);
 }
 
 void ViewportTools::cancel(ToolContext context) {
     lattice_.cancel(context);
+    joints_.cancel(context);
     drag_ = Drag::None;
     captured_ = PointerButton::None;
 }
 
 std::string ViewportTools::hint(const ToolContext& context) const {
-    const std::string tool = lattice_.hint(context);
-    if (!lattice_.idle() || (lattice_.hovered() && drag_ == Drag::None)) return tool;
+    const bool joints = !joints_.idle() || (lattice_.idle() && !lattice_.hovered() && joints_.hoversAny());
+    if (joints && drag_ == Drag::None) return joints_.hint(context);
+    const std::string lattice = lattice_.hint(context);
+    if (!lattice_.idle() || (lattice_.hovered() && drag_ == Drag::None)) return lattice;
+    const std::string tool = lattice.empty() ? joints_.hint(context) : lattice;
     switch (drag_) {
         case Drag::Orbit:
             return "Orbit about the target";
