@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/objects/term.h"
 
 namespace voledit {
@@ -25,7 +26,9 @@ struct OpaqueVoxels {
 };
 
 /// Samples `term` over its bounds: opaque is opacity ≥ `threshold` (0…1]. Cells are cubes such that the longest side
-/// has `longest` of them (volumes' own voxels if that is fewer).
-OpaqueVoxels opaqueVoxels(const Term& term, double threshold, int longest = 256);
+/// has `longest` of them; for a volume alone whose axes stand straight and have no more samples than that, its samples
+/// are the cells. No cells where nothing has bounds. Throws Error for an object without finite bounds, and Cancelled
+/// when `progress` (may be null) is.
+OpaqueVoxels opaqueVoxels(const Term& term, double threshold, int longest = 256, Progress* progress = nullptr);
 
 }  // namespace voledit

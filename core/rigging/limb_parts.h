@@ -1,0 +1,18 @@
+#pragma once
+// Which limb each opaque voxel belongs to.
+
+#include "core/rigging/opaque_voxels.h"
+#include "core/skeleton/limb_regions.h"
+
+namespace voledit {
+
+inline constexpr std::int16_t kNoLimb = -1;
+
+/// For each voxel its limb; kNoLimb where it is not opaque. A voxel climbs the distance field as steeply as it rises to
+/// the middle of the part that it lies in (so that a flank follows the chest and not an arm that hangs beside it) and
+/// takes the limb whose bone is nearest there, by distance over the bone's own depth in the object. `distance`:
+/// `distanceField(voxels)`; `rest`: the joints in the object's space.
+std::vector<std::int16_t> limbParts(const OpaqueVoxels& voxels, const std::vector<float>& distance,
+                                    const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest);
+
+}  // namespace voledit
