@@ -187,6 +187,10 @@ TermPtr Compiler::compiled(const TransferObject& object) {
     return term;
 }
 
+TermPtr Compiler::compiled(const ActorObject&) {
+    throw Error("actor", "actors are not built yet in this version of voledit", "use other types");
+}
+
 TermPtr Compiler::compiled(const DisplaceObject& object) {
     TermPtr of;
     {

@@ -59,6 +59,7 @@ private:
     TermPtr compiled(const PlaceObject& object);
     TermPtr compiled(const TransferObject& object);
     TermPtr compiled(const DisplaceObject& object);
+    TermPtr compiled(const ActorObject& object);
     struct Application {
         Combine combine = Combine::Union;
         std::string name;

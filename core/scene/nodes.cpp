@@ -28,11 +28,13 @@ std::optional<std::string> takeToken(std::string_view& pointer) {
 /// kNone matches members only.
 bool takeStep(std::string_view& pointer, const ChildStep& step) {
     std::string_view rest = pointer;
+    if (!step.outer.empty() && takeToken(rest) != step.outer) return false;
     if (takeToken(rest) != step.member) return false;
     if (step.element != ChildStep::kNone) {
         const auto token = takeToken(rest);
         if (token != std::to_string(step.element)) return false;
     }
+    if (!step.inner.empty() && takeToken(rest) != step.inner) return false;
     pointer = rest;
     return true;
 }
@@ -118,6 +120,13 @@ std::string pointerToken(const std::string& name) {
     return token;
 }
 
+std::string ValueName::pointer() const {
+    std::string result = outer ? outer->pointer() : "";
+    if (!member.empty()) result += "/" + pointerToken(std::string(member));
+    if (index != kNone) result += "/" + std::to_string(index);
+    return result;
+}
+
 NodePath objectPath(const std::string& name) {
     return "/objects/" + pointerToken(name);
 }
@@ -129,8 +138,11 @@ NodePath displacementPath(const std::string& name) {
 }
 
 NodePath childPath(const NodePath& path, const ChildStep& step) {
-    NodePath child = path + "/" + pointerToken(std::string(step.member));
+    NodePath child = path;
+    if (!step.outer.empty()) child += "/" + pointerToken(std::string(step.outer));
+    child += "/" + pointerToken(std::string(step.member));
     if (step.element != ChildStep::kNone) child += "/" + std::to_string(step.element);
+    if (!step.inner.empty()) child += "/" + pointerToken(std::string(step.inner));
     return child;
 }
 
@@ -139,9 +151,9 @@ NodePath parentOf(const Scene& scene, const NodePath& path) {
         return findAt<Object>(scene, at) || findAt<Transfer>(scene, at) || findAt<Displacement>(scene, at) ||
                findAt<Field>(scene, at);
     };
-    // A step takes a token or, within a list, two.
+    // A step takes a token or, within a list, two; that to a limb's `of` takes four.
     NodePath parent = path;
-    for (int n = 0; n < 2; ++n) {
+    for (int n = 0; n < 4; ++n) {
         const std::size_t slash = parent.rfind('/');
         if (slash == std::string::npos) return "";
         parent.erase(slash);

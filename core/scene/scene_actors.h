@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene_values.h"
+#include "core/scene/scene_fields.h"
 #include "core/skeleton/skeleton.h"
 
 namespace voledit {
@@ -17,11 +17,18 @@ struct Rotation {
     Vec3 degrees{0};
     bool operator==(const Rotation&) const = default;
 };
+std::vector<double> numbersOf(const Rotation& value);
+void setNumbers(Rotation& value, std::span<const double> numbers);
+/// `numbersAtTime` for rotations: a track of the whole gives the rotation between its keys by the shortest path,
+/// *linear* by slerp, *smooth* by the Hermite curve of unit quaternions [Kim, Kim, Shin 1995] whose angular velocity at
+/// a key is the mean over both segments (Catmull–Rom; C¹). At its keys it has their very numbers. Tracks of single
+/// components are degrees and nothing else.
+std::vector<double> numbersAtTime(const Rotation& value, const std::vector<PartTrack>& tracks, double t);
 
 struct SceneJoint {
     std::string name;
-    std::string parent;  // "" for null
-    Vec3 at{0};          // absolute, skeleton space
+    std::string parent;         // "" for null
+    Tracked<Vec3> at{Vec3(0)};  // absolute, skeleton space
     Tracked<Rotation> rotate;
     Tracked<Vec3> translate{Vec3(0)};
     std::optional<JointLimits> limits;
@@ -67,6 +74,7 @@ struct ActorRig {
     bool operator==(const ActorRig&) const = default;
 };
 
+/// `actor`: what its limbs' regions move of an object.
 struct ActorObject {
     std::string name;
     ActorRig rig;

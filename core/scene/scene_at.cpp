@@ -11,7 +11,7 @@ namespace {
 template <class Node>
 bool hasTracks(const Node& node) {
     bool any = false;
-    visitTracked(node, [&](const auto& value) { any = any || value.animated(); });
+    visitTracked(node, [&](const ValueName&, const auto& value) { any = any || value.animated(); });
     return any;
 }
 
@@ -48,7 +48,7 @@ SharedValue<Node> nodeAt(const SharedValue<Node>& node, double t) {
     SharedValue<Node> result =
         withChildren(node, [t](const ChildStep&, const auto& child) { return nodeAt(child, t); });
     if (!hasTracks(*node)) return result;
-    visitTracked(result.edit(), [t](auto& value) { fix(value, t); });
+    visitTracked(result.edit(), [t](const ValueName&, auto& value) { fix(value, t); });
     if constexpr (std::is_same_v<Node, Transfer>) {
         auto& amount = result.edit().amount;
         amount = std::clamp(*amount, 0.0, 1.0);
@@ -65,14 +65,14 @@ bool anyInMap(const Map& named) {
 
 bool animated(const Scene& scene) {
     bool any = false;
-    visitTrackedSettings(scene, [&](const auto& value) { any = any || value.animated(); });
+    visitTrackedSettings(scene, [&](const ValueName&, const auto& value) { any = any || value.animated(); });
     return any || anyWithin(scene.root) || anyInMap(scene.objects) || anyInMap(scene.transfers) ||
            anyInMap(scene.displacements);
 }
 
 Scene sceneAt(const Scene& scene, double t) {
     Scene now = scene;
-    visitTrackedSettings(now, [t](auto& value) { fix(value, t); });
+    visitTrackedSettings(now, [t](const ValueName&, auto& value) { fix(value, t); });
     now.root = nodeAt(scene.root, t);
     for (auto& [name, object] : now.objects) object = nodeAt(object, t);
     for (auto& [name, transfer] : now.transfers) transfer = nodeAt(transfer, t);

@@ -10,11 +10,13 @@
 
 namespace voledit {
 
-/// Where a node stands within another, in the saved JSON: a member, or an element of one.
+/// Where a node stands within another, in the saved JSON: a member, or an element of one; or, of an actor's limb,
+/// member `inner` of element `element` of member `member` of member `outer`.
 struct ChildStep {
     static constexpr std::size_t kNone = std::size_t(-1);
     std::string_view member;
     std::size_t element = kNone;
+    std::string_view outer = {}, inner = {};
 };
 
 // ---- The nodes within ---------------------------------------------------------------------------------------------
@@ -30,6 +32,10 @@ void visitChildrenOfKind(Kind& kind, const Visit& visit) {
         visit(ChildStep{"x"}, fields[0]);
         visit(ChildStep{"y"}, fields[1]);
         visit(ChildStep{"z"}, fields[2]);
+    };
+    const auto visitLimbs = [&](auto& skeleton) {
+        for (std::size_t l = 0; l < skeleton.limbs.size(); ++l)
+            if (skeleton.limbs[l].of) visit(ChildStep{"limbs", l, "skeleton", "of"}, *skeleton.limbs[l].of);
     };
     if constexpr (std::is_same_v<K, FieldsObject>) {
         visit(ChildStep{"opacity"}, kind.opacity);
@@ -48,6 +54,11 @@ void visitChildrenOfKind(Kind& kind, const Visit& visit) {
     } else if constexpr (std::is_same_v<K, PlaceObject> || std::is_same_v<K, RecolorObject> ||
                          std::is_same_v<K, AttributeOf> || std::is_same_v<K, MappedField>) {
         visit(ChildStep{"of"}, kind.of);
+    } else if constexpr (std::is_same_v<K, ActorObject>) {
+        visit(ChildStep{"of"}, kind.of);
+        visitLimbs(kind.rig.skeleton);
+    } else if constexpr (std::is_same_v<K, SkeletonTransfer>) {
+        visitLimbs(kind.rig.skeleton);
     } else if constexpr (std::is_same_v<K, FieldsTransfer>) {
         if (kind.asset.empty()) visitXyz(kind.fields);
     } else if constexpr (std::is_same_v<K, FieldsDisplacement>) {
@@ -74,121 +85,183 @@ void visitChildren(Node& node, const Visit& visit) {
 
 // ---- Values that may have tracks ----------------------------------------------------------------------------------
 
+/// Where a value stands within its node: tokens of a JSON pointer. A link to the name around it, so that no text is
+/// made unless it is asked for. Joints and limbs go by their names, control points by their index in the lattice. A
+/// number that is a scalar field has no name of its own: its node is it.
+struct ValueName {
+    static constexpr std::size_t kNone = std::size_t(-1);
+    std::string_view member = {};
+    std::size_t index = kNone;
+    const ValueName* outer = nullptr;
+
+    ValueName in(std::string_view name) const { return {name, kNone, this}; }
+    ValueName in(std::size_t number) const { return {{}, number, this}; }
+    /// "/skeleton/joints/LeftArm/rotate"; "" for no name.
+    std::string pointer() const;
+};
+
 template <class Visit>
-void visitTrackedIn(auto& box,
+void visitTrackedIn(auto& box, const ValueName& name,
                     const Visit& visit) requires std::is_same_v<std::remove_cvref_t<decltype(box)>, TrackedBox> {
-    visit(box.min);
-    visit(box.max);
+    visit(name.in("min"), box.min);
+    visit(name.in("max"), box.max);
 }
-template <class Visit>
-void visitTrackedIn(auto& placement,
-                    const Visit& visit) requires std::is_same_v<std::remove_cvref_t<decltype(placement)>, Placement> {
-    visit(placement.translate);
-    visit(placement.rotate);
-    visit(placement.scale);
-    if (placement.matrix) visit(*placement.matrix);
+
+/// visitTracked for a placement's members, which stand in `name`, or in the node itself.
+template <class Kind, class Visit>
+void visitTrackedPlacement(Kind& placement, const ValueName* name, const Visit& visit) {
+    visit(ValueName{"translate", ValueName::kNone, name}, placement.translate);
+    visit(ValueName{"rotate", ValueName::kNone, name}, placement.rotate);
+    visit(ValueName{"scale", ValueName::kNone, name}, placement.scale);
+    if (placement.matrix) visit(ValueName{"matrix", ValueName::kNone, name}, *placement.matrix);
 }
 
 /// visitTracked for the shape of a solid.
 template <class Shape, class Visit>
 void visitTrackedInShape(Shape& shape, const Visit& visit) {
     using S = std::remove_const_t<Shape>;
+    const ValueName outer{"shape"};
+    const auto visitRod = [&](std::string_view kind) {
+        const ValueName rod = outer.in(kind);
+        if constexpr (requires { shape.from; }) {
+            visit(rod.in("from"), shape.from);
+            visit(rod.in("to"), shape.to);
+            visit(rod.in("radius"), shape.radius);
+        }
+    };
     if constexpr (std::is_same_v<S, SolidSphere>) {
-        visit(shape.center);
-        visit(shape.radius);
+        const ValueName sphere = outer.in("sphere");
+        visit(sphere.in("center"), shape.center);
+        visit(sphere.in("radius"), shape.radius);
     } else if constexpr (std::is_same_v<S, SolidBox>) {
-        visitTrackedIn(shape.box, visit);
-    } else if constexpr (std::is_same_v<S, SolidCylinder> || std::is_same_v<S, SolidCapsule>) {
-        visit(shape.from);
-        visit(shape.to);
-        visit(shape.radius);
+        visitTrackedIn(shape.box, outer.in("box"), visit);
+    } else if constexpr (std::is_same_v<S, SolidCylinder>) {
+        visitRod("cylinder");
+    } else if constexpr (std::is_same_v<S, SolidCapsule>) {
+        visitRod("capsule");
     } else if constexpr (std::is_same_v<S, SolidTorus>) {
-        visit(shape.center);
-        visit(shape.axis);
-        visit(shape.major);
-        visit(shape.minor);
+        const ValueName torus = outer.in("torus");
+        visit(torus.in("center"), shape.center);
+        visit(torus.in("axis"), shape.axis);
+        visit(torus.in("major"), shape.major);
+        visit(torus.in("minor"), shape.minor);
     } else if constexpr (std::is_same_v<S, SolidText>) {
-        visit(shape.height);
-        visit(shape.depth);
+        const ValueName text = outer.in("text");
+        visit(text.in("height"), shape.height);
+        visit(text.in("depth"), shape.depth);
     } else {
-        visitTrackedIn(shape.bounds, visit);
+        const ValueName formula = outer.in("expression");
+        visitTrackedIn(shape.bounds, formula.in("bounds"), visit);
     }
+}
+
+/// visitTracked for what an actor and a `skeleton` STF share.
+template <class Rig, class Visit>
+void visitTrackedInRig(Rig& rig, const Visit& visit) {
+    const ValueName skeleton{"skeleton"};
+    const ValueName joints = skeleton.in(rig.skeleton.motion.empty() ? "joints" : "pose");
+    for (auto& joint : rig.skeleton.joints) {
+        const ValueName name = joints.in(joint.name);
+        if (rig.skeleton.motion.empty()) visit(name.in("at"), joint.at);
+        visit(name.in("rotate"), joint.rotate);
+        visit(name.in("translate"), joint.translate);
+    }
+    const ValueName fit = skeleton.in("fit"), limbs = skeleton.in("limbs"), motionFit{"motionFit"};
+    visitTrackedPlacement(rig.skeleton.fit, &fit, visit);
+    for (auto& limb : rig.skeleton.limbs) {
+        const ValueName name = limbs.in(limb.name);
+        if (limb.size) visit(name.in("size"), *limb.size);
+        visit(name.in("offset"), limb.offset);
+        visit(name.in("roll"), limb.roll);
+        if (limb.pad) visit(name.in("pad"), *limb.pad);
+    }
+    if (rig.motionFit) visitTrackedPlacement(*rig.motionFit, &motionFit, visit);
 }
 
 /// visitTracked for one kind of node; kinds without such values have none.
 template <class Kind, class Visit>
 void visitTrackedOfKind(Kind& kind, const Visit& visit) {
     using K = std::remove_const_t<Kind>;
-    const auto visitOptional = [&](auto& value) {
-        if (value) visit(*value);
+    const auto visitOptional = [&](const ValueName& name, auto& value) {
+        if (value) visit(name, *value);
     };
     if constexpr (std::is_same_v<K, VolumeObject>) {
-        visitOptional(kind.appearance.color);
-        visitOptional(kind.appearance.opacity);
-        visitOptional(kind.appearance.gradientOpacity);
+        const ValueName appearance{"appearance"};
+        visitOptional(appearance.in("color"), kind.appearance.color);
+        visitOptional(appearance.in("opacity"), kind.appearance.opacity);
+        visitOptional(appearance.in("gradientOpacity"), kind.appearance.gradientOpacity);
     } else if constexpr (std::is_same_v<K, SolidObject>) {
         std::visit([&](auto& shape) { visitTrackedInShape(shape, visit); }, kind.shape);
-        visit(kind.color);
-        if (auto* opacity = std::get_if<Tracked<double>>(&kind.opacity)) visit(*opacity);
-        visit(kind.falloff);
+        visit(ValueName{"color"}, kind.color);
+        if (auto* opacity = std::get_if<Tracked<double>>(&kind.opacity)) visit(ValueName{"opacity"}, *opacity);
+        visit(ValueName{"falloff"}, kind.falloff);
     } else if constexpr (std::is_same_v<K, FieldsObject>) {
-        visitTrackedIn(kind.bounds, visit);
+        visitTrackedIn(kind.bounds, ValueName{"bounds"}, visit);
     } else if constexpr (std::is_same_v<K, PlaceObject> || std::is_same_v<K, AffineTransfer>) {
-        visitTrackedIn(kind.placement, visit);
+        visitTrackedPlacement(kind.placement, nullptr, visit);
     } else if constexpr (std::is_same_v<K, RecolorObject>) {
-        visitOptional(kind.color);
-        visitOptional(kind.opacity);
+        visitOptional(ValueName{"color"}, kind.color);
+        visitOptional(ValueName{"opacity"}, kind.opacity);
+    } else if constexpr (std::is_same_v<K, ActorObject> || std::is_same_v<K, SkeletonTransfer>) {
+        visitTrackedInRig(kind.rig, visit);
     } else if constexpr (std::is_same_v<K, FfdTransfer>) {
-        for (auto& [point, move] : kind.moves) visit(move.vector);
+        const ValueName moves{"move"};
+        for (auto& [point, move] : kind.moves) {
+            const ValueName name = moves.in(point);
+            visit(name.in(move.absolute ? "to" : "by"), move.vector);
+        }
     } else if constexpr (std::is_same_v<K, LibraryTransfer>) {
         for (auto& [name, argument] : kind.arguments) {
-            if (auto* numbers = std::get_if<Tracked<std::vector<double>>>(&argument)) visit(*numbers);
+            const ValueName member{name};
+            if (auto* numbers = std::get_if<Tracked<std::vector<double>>>(&argument)) visit(member, *numbers);
             if (auto* line = std::get_if<LibraryTransfer::Line>(&argument)) {
-                visit(line->point);
-                visit(line->direction);
+                visit(member.in("point"), line->point);
+                visit(member.in("direction"), line->direction);
             }
         }
     } else if constexpr (std::is_same_v<K, ExpressionTransfer>) {
-        visitOptional(kind.image);
+        visitOptional(ValueName{"image"}, kind.image);
     } else if constexpr (std::is_same_v<K, MappedTransfer>) {
-        visit(kind.points);
-        visit(kind.source);
+        visit(ValueName{"points"}, kind.points);
+        visit(ValueName{"source"}, kind.source);
     } else if constexpr (std::is_same_v<K, NumberField>) {
-        visit(kind.value);
+        visit(ValueName{}, kind.value);
     } else if constexpr (std::is_same_v<K, MappedField>) {
-        visit(kind.table);
+        visit(ValueName{"map"}, kind.table);
     }
 }
 
-/// Calls visit(value) for every Tracked and TrackedFrame of `node` (of any of the four types) itself, not of nodes
-/// within; const where `node` is. All of them have `animated()` and `at(t)`, and can be assigned what `at` gives.
+/// Calls visit(name, value) for every Tracked and TrackedFrame of `node` (of any of the four types) itself, not of
+/// nodes within; const where `node` is. All of them have `animated()` and `at(t)`, and can be assigned what `at` gives.
 template <class Node, class Visit>
 void visitTracked(Node& node, const Visit& visit) {
     std::visit([&](auto& kind) { visitTrackedOfKind(kind, visit); }, node.kind);
     if constexpr (std::is_same_v<std::remove_const_t<Node>, Transfer>) {
-        if (node.frame) visit(*node.frame);
-        visit(node.amount);
+        if (node.frame) visit(ValueName{"frame"}, *node.frame);
+        visit(ValueName{"amount"}, node.amount);
     }
 }
 
 /// The same for the camera, the light and opacityDistance.
 template <class SceneType, class Visit>
 void visitTrackedSettings(SceneType& scene, const Visit& visit) {
-    if (scene.opacityDistance) visit(*scene.opacityDistance);
+    if (scene.opacityDistance) visit(ValueName{"opacityDistance"}, *scene.opacityDistance);
     if (scene.camera) {
-        visit(scene.camera->eye);
-        visit(scene.camera->target);
-        visit(scene.camera->up);
-        visit(scene.camera->fovY);
+        const ValueName camera{"camera"};
+        visit(camera.in("eye"), scene.camera->eye);
+        visit(camera.in("target"), scene.camera->target);
+        visit(camera.in("up"), scene.camera->up);
+        visit(camera.in("fovY"), scene.camera->fovY);
     }
+    const ValueName settings{"render"};
     auto& render = scene.render;
-    visit(render.background);
-    visit(render.step);
-    visit(render.ambient);
-    visit(render.diffuse);
-    visit(render.specular);
-    visit(render.shininess);
-    if (render.light) visit(*render.light);
+    visit(settings.in("background"), render.background);
+    visit(settings.in("step"), render.step);
+    visit(settings.in("ambient"), render.ambient);
+    visit(settings.in("diffuse"), render.diffuse);
+    visit(settings.in("specular"), render.specular);
+    visit(settings.in("shininess"), render.shininess);
+    if (render.light) visit(settings.in("light"), *render.light);
 }
 
 // ---- Changing what is shared --------------------------------------------------------------------------------------

@@ -70,11 +70,10 @@ private:
         const auto named = costOfUse(node, depth + 1);
         if (named) add(*named);
         visitChildren(node, [&](const ChildStep& step, const auto& child) {
-            const JsonPlace member = place.at(step.member);
-            if (step.element == ChildStep::kNone)
-                add(cost(*child, member, depth + 1));
-            else
-                add(cost(*child, member.at(step.element), depth + 1));
+            const JsonPlace outer = step.outer.empty() ? place : place.at(step.outer);
+            const JsonPlace member = outer.at(step.member);
+            const JsonPlace element = step.element == ChildStep::kNone ? member : member.at(step.element);
+            add(cost(*child, step.inner.empty() ? element : element.at(step.inner), depth + 1));
         });
         const Cost result{ownHeight(node) + below.height, (named ? 0 : 1) + below.nodes};
         if (depth + result.height > kDeepestNesting + 1) failDepth();

@@ -133,7 +133,7 @@ struct RecolorObject {
 
 struct Object {
     std::variant<ObjectUse, VolumeObject, SolidObject, FieldsObject, CvgObject, TransferObject, DisplaceObject,
-                 PlaceObject, RecolorObject>
+                 PlaceObject, RecolorObject, ActorObject>
         kind;
     bool operator==(const Object&) const = default;
 };

@@ -70,9 +70,16 @@ void SceneReader::checkReferences(const Scene& scene) const {
     check(transferUses_, scene.transfers, "transfer", "transfers");
     check(displacementUses_, scene.displacements, "displacement", "displacements");
     check(assetUses_, scene.assets, "asset", "assets");
-    for (const auto& [name, pointer] : assetUses_)
-        if (scene.assets.at(name).kind != AssetKind::Volume)
-            throw Error(file_ + ": " + pointer, "asset " + described(json(name)) + " is not of kind \"volume\"",
+    check(motionUses_, scene.assets, "asset", "assets");
+    checkKinds(scene, assetUses_, AssetKind::Volume, "volume");
+    checkKinds(scene, motionUses_, AssetKind::Motion, "motion");
+}
+
+void SceneReader::checkKinds(const Scene& scene, const std::vector<Reference>& uses, AssetKind kind,
+                             const char* word) const {
+    for (const auto& [name, pointer] : uses)
+        if (scene.assets.at(name).kind != kind)
+            throw Error(file_ + ": " + pointer, "asset " + described(json(name)) + " is not of kind \"" + word + "\"",
                         "name one that is");
 }
 

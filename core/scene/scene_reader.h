@@ -61,7 +61,9 @@ private:
     template <class T>
     Tracked<T> tracked(const JsonView& view, std::initializer_list<int> shape) const;
     Tracked<double> number(const JsonView& view) const;
+    Tracked<Vec2> pair(const JsonView& view) const;
     Tracked<Vec3> vector(const JsonView& view) const;
+    Tracked<Rotation> rotation(const JsonView& view) const;
     Tracked<Vec3> numberOrThree(const JsonView& view) const;
     Tracked<Mat4> matrix(const JsonView& view) const;
     Tracked<std::vector<Vec3>> vectors(const JsonView& view) const;
@@ -89,6 +91,18 @@ private:
     CvgObject cvgObject(const JsonView& view, CvgOperator by);
     TransferObject transferObject(const JsonView& view);
     RecolorObject recolor(const JsonView& view);
+
+    // scene_reader_actors.cpp
+    ActorObject actor(const JsonView& view);
+    SkeletonTransfer skeletonTransfer(const JsonView& view);
+    ActorRig rig(const JsonView& view);
+    SceneSkeleton skeleton(const JsonView& view);
+    SceneJoint joint(const JsonView& view) const;
+    SceneLimb limb(const JsonView& view);
+    void checkJoints(const JsonView& view, const std::vector<SceneJoint>& joints) const;
+    void checkLimbs(const JsonView& view, const SceneSkeleton& skeleton) const;
+    void checkJointNames(const JsonView& view, const ActorRig& rig) const;
+    std::string motionAsset(const JsonView& name);
 
     // scene_reader_fields.cpp
     Field field(const JsonView& view);
@@ -118,12 +132,13 @@ private:
     Asset asset(const JsonView& view) const;
     void checkPath(const JsonView& path) const;
     void checkReferences(const Scene& scene) const;
+    void checkKinds(const Scene& scene, const std::vector<Reference>& uses, AssetKind kind, const char* word) const;
 
     std::string file_;
     std::function<std::string(const std::string&)> checkAssetPath_;
     std::set<std::string> namesOfDisplacements_, namesOfTransfers_;  // of all, known before any is read
-    std::vector<Reference> objectUses_, transferUses_, displacementUses_, assetUses_;
-    double cells_ = 0, controlPoints_ = 0;  // of all lattices so far
+    std::vector<Reference> objectUses_, transferUses_, displacementUses_, assetUses_, motionUses_;
+    double cells_ = 0, controlPoints_ = 0;  // of all lattices and limbs so far
 };
 
 /// Throws Error (with `file` and a JSON pointer) where `use` goes round in a circle, where nodes nest deeper than

@@ -9,7 +9,7 @@ void SceneReader::countCells(double more, const JsonPlace& place) {
     cells_ += more;
     if (cells_ > double(kMostCells))
         fail(place,
-             "the scene's lattices have " + std::to_string(std::uint64_t(cells_)) + " cells, more than the " +
+             "the scene's lattices and limbs have " + std::to_string(std::uint64_t(cells_)) + " cells, more than the " +
                  std::to_string(kMostCells) + " that fit",
              "give fewer cells an axis (16 is the default)");
 }
@@ -54,7 +54,7 @@ void SceneReader::readControl(FfdTransfer& ffd, const JsonView& view) const {
         Track one{{}, all.interpolation};
         for (const auto& key : all.keys) {
             const auto first = key.value.begin() + std::ptrdiff_t(3 * i);
-            one.keys.push_back({key.time, {first, first + 3}});
+            one.keys.push_back({key.time, {first, first + 3}, key.interpolation});
         }
         FfdTransfer::Move& move = ffd.moves[i];
         move.absolute = true;

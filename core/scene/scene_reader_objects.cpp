@@ -32,6 +32,7 @@ Object SceneReader::object(const JsonView& view) {
     if (type == "displace") return {DisplaceObject{displacement(view["by"]), object(view["of"])}};
     if (type == "place") return {PlaceObject{placement(view), object(view["of"])}};
     if (type == "recolor") return {recolor(view)};
+    if (type == "actor") return {actor(view)};
     if (std::find(operators.begin(), operators.end(), type) != operators.end())
         return {cvgObject(view, choice<CvgOperator>(type, operators))};
     notBuilt(view.place, "objects of type \"" + type + "\"", "use other types");

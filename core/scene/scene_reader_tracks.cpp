@@ -6,6 +6,15 @@
 
 namespace voledit {
 
+namespace {
+
+Track::Interpolation interpolationOf(const std::string& word) {
+    static const std::vector<std::string> words{"step", "linear", "smooth"};
+    return Track::Interpolation(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+}  // namespace
+
 Track SceneReader::track(const JsonView& view, Shape shape) const {
     Track result;
     const JsonView keys = view["keys"];
@@ -16,6 +25,7 @@ Track SceneReader::track(const JsonView& view, Shape shape) const {
         Numbers flat;
         collect(value, shape, flat, false);
         result.keys.push_back({key.value[0].get<double>(), std::move(flat.values)});
+        if (key.value.size() > 2) result.keys.back().interpolation = interpolationOf(key[2].text());
         if (k == 0) continue;
         if (result.keys[k].time < result.keys[k - 1].time)
             fail(key[0].place, "found " + described(key.value[0]) + " after " + described(keys.value[k - 1][0]),
@@ -26,11 +36,7 @@ Track SceneReader::track(const JsonView& view, Shape shape) const {
                      std::to_string(result.keys[0].value.size()),
                  "give every key a value of one length");
     }
-    if (view.has("interpolation")) {
-        static const std::vector<std::string> words{"step", "linear", "smooth"};
-        const auto word = std::find(words.begin(), words.end(), view["interpolation"].text());
-        result.interpolation = Track::Interpolation(word - words.begin());
-    }
+    if (view.has("interpolation")) result.interpolation = interpolationOf(view["interpolation"].text());
     return result;
 }
 
@@ -64,6 +70,14 @@ Tracked<T> SceneReader::tracked(const JsonView& view, std::initializer_list<int>
 Tracked<double> SceneReader::number(const JsonView& view) const {
     if (view.value.is_number()) return view.value.get<double>();
     return tracked<double>(view, {});
+}
+
+Tracked<Vec2> SceneReader::pair(const JsonView& view) const {
+    return tracked<Vec2>(view, {2});
+}
+
+Tracked<Rotation> SceneReader::rotation(const JsonView& view) const {
+    return tracked<Rotation>(view, {3});
 }
 
 Tracked<Vec3> SceneReader::vector(const JsonView& view) const {

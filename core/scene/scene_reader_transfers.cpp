@@ -31,7 +31,9 @@ Transfer SceneReader::transfer(const JsonView& view) {
         result.kind = TransferredTransfer{transfer(view["by"]), transfer(view["of"])};
     else if (type == "mapped")
         result.kind = mapped(view);
-    else if (type == "sweep" || type == "skeleton")
+    else if (type == "skeleton")
+        result.kind = skeletonTransfer(view);
+    else if (type == "sweep")
         notBuilt(view["type"].place, "transfers of type " + described(type), "use other types");
     else
         result.kind = libraryOrFile(view);
@@ -63,7 +65,7 @@ LibraryTransfer SceneReader::libraryOrFile(const JsonView& view) const {
     if (!result.isFile && !definition) {
         std::vector<std::string> known{"affine", "expression", "fields",   "ffd",        "sweep",
                                        "mapped", "skeleton",   "sequence", "transferred"};
-        std::string list = "expression, fields, ffd, mapped, sequence, transferred";
+        std::string list = "expression, fields, ffd, mapped, sequence, skeleton, transferred";
         for (const auto& one : transferLibrary()) {
             known.push_back(one->name());
             list += ", " + one->name();

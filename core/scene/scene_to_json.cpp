@@ -108,6 +108,14 @@ ordered_json toJson(const RecolorObject& recolor) {
     return result;
 }
 
+ordered_json toJson(const ActorObject& actor) {
+    ordered_json result{{"type", "actor"}};
+    if (!actor.name.empty()) result["name"] = actor.name;
+    result["of"] = toJson(*actor.of);
+    add(result, actor.rig);
+    return result;
+}
+
 ordered_json toJson(const Asset& asset) {
     static constexpr const char* kinds[] = {"volume", "motion", "images"};
     return {{"kind", kinds[std::size_t(asset.kind)]}, {"path", asset.path}};

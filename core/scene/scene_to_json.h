@@ -11,7 +11,9 @@ namespace voledit {
 nlohmann::ordered_json toJson(const Vec3& v);
 nlohmann::ordered_json toJson(const Index3& v);
 nlohmann::ordered_json toJson(const Tracked<double>& value);
+nlohmann::ordered_json toJson(const Tracked<Vec2>& value);
 nlohmann::ordered_json toJson(const Tracked<Vec3>& value);
+nlohmann::ordered_json toJson(const Tracked<Rotation>& value);
 nlohmann::ordered_json toJson(const Tracked<Mat4>& value);
 /// A number where it is one.
 nlohmann::ordered_json toJson(const Tracked<std::vector<double>>& value);
@@ -29,6 +31,11 @@ void add(nlohmann::ordered_json& object, const Placement& placement);
 nlohmann::ordered_json toJson(const Field& field);
 nlohmann::ordered_json toJson(const Transfer& transfer);
 nlohmann::ordered_json toJson(const Displacement& displacement);
+
+// ---- scene_to_json_actors.cpp
+nlohmann::ordered_json toJson(const SceneSkeleton& skeleton);
+/// Adds `skeleton` and the other members of the rig that are not at their defaults.
+void add(nlohmann::ordered_json& object, const ActorRig& rig);
 
 // ---- scene_to_json.cpp
 nlohmann::ordered_json toJson(const Object& object);

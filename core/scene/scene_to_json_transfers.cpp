@@ -53,7 +53,9 @@ bool moveTogether(const Moves& moves) {
         if (tracks.size() != 1 || tracks[0].part != PartTrack::kWhole) return false;
         const Track& track = tracks[0].track;
         if (!first) first = &track;
-        const auto sameTime = [](const auto& a, const auto& b) { return a.time == b.time; };
+        const auto sameTime = [](const auto& a, const auto& b) {
+            return a.time == b.time && a.interpolation == b.interpolation;
+        };
         if (track.interpolation != first->interpolation ||
             !std::equal(track.keys.begin(), track.keys.end(), first->keys.begin(), first->keys.end(), sameTime))
             return false;
@@ -178,6 +180,11 @@ void add(ordered_json& object, const MappedTransfer& transfer) {
     for (const auto& cell : transfer.cells) cells.push_back(cell);
 }
 
+void add(ordered_json& object, const SkeletonTransfer& transfer) {
+    object["limb"] = transfer.limb;
+    add(object, transfer.rig);
+}
+
 void add(ordered_json&, const TransferUse&) {}
 
 ordered_json typeOf(const Transfer& transfer) {
@@ -185,8 +192,8 @@ ordered_json typeOf(const Transfer& transfer) {
         if (library->isFile) return {{"file", library->definition}};
         return library->definition;
     }
-    static constexpr const char* words[] = {"affine",   "ffd",         "",      "", "expression", "fields",
-                                            "sequence", "transferred", "mapped"};
+    static constexpr const char* words[] = {"affine",   "ffd",         "",       "",        "expression", "fields",
+                                            "sequence", "transferred", "mapped", "skeleton"};
     static_assert(std::size(words) == std::variant_size_v<decltype(Transfer::kind)>);
     return words[transfer.kind.index()];
 }

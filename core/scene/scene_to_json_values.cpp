@@ -30,7 +30,10 @@ ordered_json plain(std::span<const double> numbers, Shape shape) {
 ordered_json toJson(const Track& track, Shape shape) {
     static constexpr const char* words[] = {"step", "linear", "smooth"};
     ordered_json keys = ordered_json::array();
-    for (const auto& key : track.keys) keys.push_back({key.time, plain(key.value, shape)});
+    for (const auto& key : track.keys) {
+        keys.push_back({key.time, plain(key.value, shape)});
+        if (key.interpolation) keys.back().push_back(words[std::size_t(*key.interpolation)]);
+    }
     ordered_json result{{"keys", std::move(keys)}};
     if (track.interpolation != Track::Interpolation::Linear)
         result["interpolation"] = words[std::size_t(track.interpolation)];
@@ -104,6 +107,12 @@ ordered_json toJson(const Index3& v) {
 
 ordered_json toJson(const Tracked<double>& value) {
     return value.animated() ? toJson(value.tracks()[0].track, Shape{}) : ordered_json(*value);
+}
+ordered_json toJson(const Tracked<Vec2>& value) {
+    return toJson(numbersOf(*value), value.tracks(), {2});
+}
+ordered_json toJson(const Tracked<Rotation>& value) {
+    return toJson(numbersOf(*value), value.tracks(), {3});
 }
 ordered_json toJson(const Tracked<Vec3>& value) {
     return toJson(numbersOf(*value), value.tracks(), {3});

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/scene/scene_actors.h"
 #include "core/scene/scene_fields.h"
 #include "core/stf/lattice.h"
 
@@ -106,7 +107,7 @@ struct MappedTransfer {
 
 struct Transfer {
     std::variant<AffineTransfer, FfdTransfer, TransferUse, LibraryTransfer, ExpressionTransfer, FieldsTransfer,
-                 SequenceTransfer, TransferredTransfer, MappedTransfer>
+                 SequenceTransfer, TransferredTransfer, MappedTransfer, SkeletonTransfer>
         kind;
     std::string name;
     std::optional<TrackedFrame> frame;  // nullopt: the box of the operand

@@ -8,40 +8,47 @@ namespace voledit {
 
 namespace {
 
-using Keys = std::vector<Track::Key>;
-
 /// Slope of number n at key k, seen from the segment that ends (`before`) or starts there.
-double slopeAt(const Keys& keys, std::size_t k, std::size_t n, bool before) {
+double slopeAt(const Track& track, std::size_t k, std::size_t n, bool before) {
+    const auto& keys = track.keys;
     std::size_t from = k, to = k;
-    if (k > 0 && (before || keys[k - 1].time < keys[k].time)) from = k - 1;
-    if (k + 1 < keys.size() && (!before || keys[k].time < keys[k + 1].time)) to = k + 1;
+    if (k > 0 && (before || track.joined(k))) from = k - 1;
+    if (k + 1 < keys.size() && (!before || track.joined(k + 1))) to = k + 1;
     return (keys[to].value[n] - keys[from].value[n]) / (keys[to].time - keys[from].time);
 }
 
 /// Number n on the cubic Hermite segment from key k, at fraction f of it.
-double smoothAt(const Keys& keys, std::size_t k, std::size_t n, double f) {
+double smoothAt(const Track& track, std::size_t k, std::size_t n, double f) {
+    const auto& keys = track.keys;
     const double length = keys[k + 1].time - keys[k].time;
     const double a = keys[k].value[n], b = keys[k + 1].value[n];
-    const double slopeA = slopeAt(keys, k, n, false) * length, slopeB = slopeAt(keys, k + 1, n, true) * length;
+    const double slopeA = slopeAt(track, k, n, false) * length, slopeB = slopeAt(track, k + 1, n, true) * length;
     const double g = 1 - f;
     return a + f * f * (3 - 2 * f) * (b - a) + f * g * g * slopeA - f * f * g * slopeB;
 }
 
 }  // namespace
 
-std::vector<double> Track::at(double t) const {
+std::optional<Track::Place> Track::placeOf(double t) const {
     assert(!keys.empty());
     const auto after =
         std::upper_bound(keys.begin(), keys.end(), t, [](double time, const Key& key) { return time < key.time; });
-    if (after == keys.begin()) return keys.front().value;
+    if (after == keys.begin()) return std::nullopt;
     const auto k = std::size_t(after - keys.begin()) - 1;
-    if (after == keys.end() || interpolation == Interpolation::Step) return keys[k].value;
-    const double f = (t - keys[k].time) / (keys[k + 1].time - keys[k].time);
+    if (after == keys.end()) return Place{k, 0};
+    return Place{k, (t - keys[k].time) / (keys[k + 1].time - keys[k].time)};
+}
+
+std::vector<double> Track::at(double t) const {
+    const auto place = placeOf(t);
+    if (!place) return keys.front().value;
+    const auto [k, f] = *place;
+    const Interpolation how = interpolationFrom(k);
+    if (f == 0 || how == Interpolation::Step) return keys[k].value;
     std::vector<double> result(keys[k].value.size());
     for (std::size_t n = 0; n < result.size(); ++n)
-        result[n] = interpolation == Interpolation::Smooth
-                        ? smoothAt(keys, k, n, f)
-                        : keys[k].value[n] + f * (keys[k + 1].value[n] - keys[k].value[n]);
+        result[n] = how == Interpolation::Smooth ? smoothAt(*this, k, n, f)
+                                                 : keys[k].value[n] + f * (keys[k + 1].value[n] - keys[k].value[n]);
     return result;
 }
 

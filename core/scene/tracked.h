@@ -27,8 +27,22 @@ struct Track {
 
     bool operator==(const Track&) const = default;
     /// The value at t seconds, any t. Smooth is Catmull–Rom over the keys' own times: a cubic through both keys whose
-    /// slope at a key is that of the line through its neighbours, at the ends and at jumps that of the one segment.
+    /// slope at a key is that of the line through its neighbours, at the ends and at jumps (two keys of one time,
+    /// steps) that of the one segment.
     std::vector<double> at(double t) const;
+
+    /// From key k to the next.
+    Interpolation interpolationFrom(std::size_t k) const { return keys[k].interpolation.value_or(interpolation); }
+    /// The last key at or before t, and how far t is from it to the next, in [0, 1); nullopt before the first.
+    struct Place {
+        std::size_t key = 0;
+        double fraction = 0;  // 0 at and beyond the last key
+    };
+    std::optional<Place> placeOf(double t) const;
+    /// Whether the value runs on without a jump from key k − 1 to key k.
+    bool joined(std::size_t k) const {
+        return keys[k - 1].time < keys[k].time && interpolationFrom(k - 1) != Interpolation::Step;
+    }
 };
 
 /// The track of a whole value, or of one number or vector in it.
@@ -62,6 +76,12 @@ void setNumbers(ColorTable& value, std::span<const double> numbers);
 
 /// `numbers` with what `tracks` say at t seconds in its place.
 std::vector<double> withTracksAt(std::vector<double> numbers, const std::vector<PartTrack>& tracks, double t);
+
+/// The same for a value of a type, which may have an interpolation of its own.
+template <class T>
+std::vector<double> numbersAtTime(const T& value, const std::vector<PartTrack>& tracks, double t) {
+    return withTracksAt(numbersOf(value), tracks, t);
+}
 
 /// Puts `numbers` into the keys at t seconds of every track: those there are, or new ones.
 void setKeysAt(std::vector<PartTrack>& tracks, const std::vector<double>& numbers, double t);
@@ -103,7 +123,7 @@ public:
     T at(double t) const {
         if (!tracks_) return value_;
         T result;
-        setNumbers(result, withTracksAt(numbersOf(value_), *tracks_, t));
+        setNumbers(result, numbersAtTime(value_, *tracks_, t));
         return result;
     }
 
