@@ -28,9 +28,15 @@ void evaluateFolded(const TransferTerm& node, std::span<const Vec3> p, std::span
     std::vector<std::size_t> ends;
     std::vector<Vec3> q;
     std::vector<Mat3> jacobian;
+    CellLocation alone{};
+    std::uint32_t hint = 0;
     for (const Vec3& point : p) {
         found.clear();
-        cells.locateAll(point, found);
+        if (cells.cellCount() > 0 && cells.locateAlone(point, hint, alone))
+            found.push_back(alone);
+        else
+            cells.locateAll(point, found);
+        if (!found.empty()) hint = found.front().tetrahedron;
         for (const CellLocation& at : found) {
             q.push_back(cells.sourceAt(at));
             if (asked.gradient) jacobian.push_back(cells.jacobianAt(at));

@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/stf/cell_locator.h"
 #include "core/stf/cell_overlap.h"
+#include "core/stf/overlapping_cells.h"
 
 namespace voledit {
 
@@ -109,9 +110,10 @@ std::vector<Mat3> averagedJacobians(const MappedCells::Data& data,
 }  // namespace
 
 struct MappedCells::Lazy {
-    std::once_flag locatorOnce, overlapOnce;
+    std::once_flag locatorOnce, overlapOnce, overlappingOnce;
     std::unique_ptr<const CellLocator> locator;
     bool overlap = false;
+    std::vector<char> overlapping;
 };
 
 MappedCells::MappedCells(Data data) : data_(std::move(data)), lazy_(std::make_unique<Lazy>()) {
@@ -160,6 +162,18 @@ const CellLocator& MappedCells::locator() const {
 bool MappedCells::mayOverlap() const {
     std::call_once(lazy_->overlapOnce, [this] { lazy_->overlap = cellsMayOverlap(*this); });
     return lazy_->overlap;
+}
+
+std::span<const char> MappedCells::overlapping() const {
+    std::call_once(lazy_->overlappingOnce, [this] {
+        lazy_->overlapping = mayOverlap() ? overlappingCells(*this) : std::vector<char>(cellCount(), 0);
+    });
+    return lazy_->overlapping;
+}
+
+bool MappedCells::locateAlone(const Vec3& p, std::uint32_t& hint, CellLocation& found) const {
+    assert(hint < tetrahedra_.size());
+    return !overlapping()[hint / tetrahedraPerCell()] && locator().wellInside(p, hint, found);
 }
 
 bool MappedCells::locate(const Vec3& p, CellLocation& found) const {

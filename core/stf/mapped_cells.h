@@ -75,6 +75,9 @@ public:
     /// False only if no point has several pre-images; true where cells fold or overlap, and where they touch or are
     /// degenerate so that they might: then renderers must combine the pre-images. Found out on first use (README.md).
     bool mayOverlap() const;
+    /// One for each cell: 0 only if no point inside it lies in another cell, too (overlapping_cells.h). All 0 where
+    /// !mayOverlap(). Found out on first use.
+    std::span<const char> overlapping() const;
 
     /// Appends every tetrahedron that contains p, in the order of tetrahedra(). A point on a shared face, edge or
     /// vertex is reported once for each pre-image, not once for each tetrahedron that touches it: locations of one
@@ -87,6 +90,10 @@ public:
     /// follow one another closely. `hint` becomes the tetrahedron found. Where !mayOverlap(), a point well inside a
     /// tetrahedron is found in it, and any other as `locate` finds it; where mayOverlap() the hint is not used.
     bool locateNear(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
+
+    /// True, with the location, where p lies well inside tetrahedron `hint`, or another of its cell, and that cell
+    /// overlaps no other: then this is p's only pre-image. False says nothing: ask `locateAll`.
+    bool locateAlone(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
 
     /// q at a location, exact within the tetrahedron.
     Vec3 sourceAt(const CellLocation& at) const;
