@@ -27,6 +27,7 @@ struct ActorState {
     bool showRegions = false;           // outlines of all regions
     bool showCoverage = false;          // voxels in no region, or in several; while the rest pose is shown
     std::map<std::string, int> chains;  // how many bones IK turns, where the user said so; by joint
+    bool showTable = false;             // the inspector opens the table of joints in the next frame
     std::optional<NamedPose> copied;    // by pose.copy
     std::string poseName;               // typed for pose.save
 
