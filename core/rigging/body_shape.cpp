@@ -42,7 +42,15 @@ BodyShape::BodyShape(OpaqueVoxels body, double thinness)
       distance(distanceField(voxels)),
       tree(curveSkeleton(voxels, distance, thinness)),
       box(voxels.bounds()),
-      step(std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z})) {}
+      step(std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z})) {
+    double count = 0;
+    for (std::size_t i = 0; i < voxels.opaque.size(); ++i)
+        if (voxels.opaque[i]) {
+            mean += voxels.centre(cellOf(voxels, i));
+            ++count;
+        }
+    mean /= std::max(1.0, count);
+}
 
 Section BodyShape::sectionAt(const Vec3& p, const Vec3& normal, double reach) const {
     const Index3 low = glm::clamp(cellAt(voxels, p - reach), Index3(0), voxels.size - 1);

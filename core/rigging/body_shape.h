@@ -18,6 +18,7 @@ struct BodyShape {
     std::vector<float> distance;  // of `voxels`
     CurveSkeleton tree;
     Box3 box;         // of the opaque cells' centres
+    Vec3 mean{0};     // of them
     double step = 1;  // the largest spacing, world units
 
     BodyShape(OpaqueVoxels body, double thinness);

@@ -4,7 +4,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/parallel.h"
-#include "core/rigging/curve_skeleton.h"
+#include "core/rigging/body_shape.h"
 #include "core/rigging/limb_boxes.h"
 #include "core/rigging/rest_hexahedra.h"
 #include "core/rigging/rig.h"
@@ -119,8 +119,8 @@ private:
 
 std::vector<Limb> fittedLimbs(const OpaqueVoxels& voxels, const std::vector<PosedJoint>& rest, std::vector<Limb> limbs,
                               const std::vector<bool>& fit, const RigOptions& options) {
-    const auto distance = distanceField(voxels);
-    const auto rims = rimsOf(voxels, limbParts(voxels, distance, limbs, rest), limbs.size());
+    const OpaqueVoxels solid = withoutCavities(voxels);
+    const auto rims = rimsOf(solid, limbParts(solid, distanceField(solid), limbs, rest), limbs.size());
     const double step = std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z});
     BoxFit boxes(rest, limbs, fit, step);
     for (std::size_t l = 0; l < limbs.size(); ++l) {

@@ -18,13 +18,16 @@ struct Bone {
     double length2;
     std::array<double, kPieces + 1> depth;
 
-    /// Distance of p over the depth of the bone where it is nearest.
+    /// Distance of p over the depth of the bone where it is nearest. Beyond the ends a bone reaches less far than
+    /// across: there its neighbours in the chain are.
     double relativeDistance(const Vec3& p) const {
-        const double t = std::clamp(glm::dot(p - from, along) / length2, 0.0, 1.0);
+        constexpr double kBeyondEnds = 2.5;
+        const double whole = glm::dot(p - from, along) / length2;
+        const double t = std::clamp(whole, 0.0, 1.0);
         const double s = t * kPieces;
         const int i = std::min(kPieces - 1, static_cast<int>(s));
         const double d = depth[std::size_t(i)] + (s - i) * (depth[std::size_t(i) + 1] - depth[std::size_t(i)]);
-        return glm::length(p - from - t * along) / d;
+        return (glm::length(p - from - whole * along) + kBeyondEnds * std::abs(whole - t) * std::sqrt(length2)) / d;
     }
 };
 

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/rigging/biped.h"
 #include "core/rigging/body_frame.h"
+#include "core/rigging/body_shape.h"
 #include "core/rigging/limb_boxes.h"
 
 namespace voledit {
@@ -33,11 +34,13 @@ Rig fittedRig(const OpaqueVoxels& voxels, RigTemplate, const RigOptions& options
         throw Error("rig", "nothing of the object is opaque, so there is nothing to lay a skeleton into",
                     "check its appearance");
     const BodyFrame frame = bodyFrame(voxels, false);
+    const BodyShape body(turned(voxels, frame), options.thinness);
     Rig rig;
-    rig.skeleton = laidInto(bipedIn(turned(voxels, frame), options), Mat4(frame.axes));
+    rig.skeleton = laidInto(bipedIn(body), Mat4(frame.axes));
     rig.limbs = bipedLimbs(rig.skeleton);
     const auto rest = posedJoints(rig.skeleton, restPose(rig.skeleton));
-    const auto rims = rimsOf(voxels, limbParts(voxels, distanceField(voxels), rig.limbs, rest), rig.limbs.size());
+    const OpaqueVoxels solid = withoutCavities(voxels);
+    const auto rims = rimsOf(solid, limbParts(solid, distanceField(solid), rig.limbs, rest), rig.limbs.size());
     rig.limbs = fittedLimbs(voxels, rest, alignedRolls(rig.limbs, rest, rims), {}, options);
     return rig;
 }
