@@ -8,6 +8,7 @@
 #include "core/scene/json_text.h"
 #include "core/scene/limits.h"
 #include "core/scene/scene_at.h"
+#include "core/scene/scene_walk.h"
 
 namespace voledit {
 
@@ -16,11 +17,12 @@ struct SceneStart {
     Scene scene;  // with its tracks
     LoadedAssets assets;
     DefaultFrames frames;
+    FittedLimbs fitted;
     Box3 rootBounds;
 
     bool isOf(const Scene& other, const LoadedAssets& others) const {
         return scene == other && assets.volumes == others.volumes && assets.meshes == others.meshes &&
-               assets.transfers == others.transfers;
+               assets.transfers == others.transfers && assets.motions == others.motions;
     }
 };
 
@@ -91,7 +93,19 @@ double startTime(const Scene& scene) {
 
 std::shared_ptr<const SceneStart> startOf(const Scene& scene, const LoadedAssets& assets, const Compiler& compiler,
                                           const Term& root) {
-    return std::make_shared<const SceneStart>(SceneStart{scene, assets, compiler.frames(), root.bounds});
+    return std::make_shared<const SceneStart>(
+        SceneStart{scene, assets, compiler.frames(), compiler.fitted(), root.bounds});
+}
+
+/// Actors are compiled the innermost first.
+std::vector<std::shared_ptr<const CompiledActor>> inTreeOrder(
+    const Scene& scene, std::vector<std::shared_ptr<const CompiledActor>> actors) {
+    if (actors.size() < 2) return actors;
+    std::map<NodePath, std::size_t> rank;
+    forEachNode(scene, [&](const NodePath& path, const NodePointer&) { rank.emplace(path, rank.size()); });
+    std::sort(actors.begin(), actors.end(),
+              [&](const auto& a, const auto& b) { return rank[a->path] < rank[b->path]; });
+    return actors;
 }
 
 /// Finds what the timeline's start decides of a scene that is to be compiled at another time.
@@ -116,9 +130,11 @@ void compileTerm(const Scene& scene, const Scene& now, const LoadedAssets& asset
     auto cache = std::make_shared<CompiledScene::Cache>();
     const auto compileNow = [&] {
         Compiler compiler({now, assets, t, previous ? previous->pieces.get() : nullptr,
-                           cache->start ? cache->start->frames : DefaultFrames{}});
+                           cache->start ? cache->start->frames : DefaultFrames{},
+                           cache->start ? cache->start->fitted : FittedLimbs{}});
         compiled.root = compiler.root();
         compiled.warnings = compiler.warnings();
+        compiled.actors = inTreeOrder(scene, compiler.actors());
         cache->pieces = compiler.pieces();
         return compiler;
     };

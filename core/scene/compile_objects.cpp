@@ -152,7 +152,10 @@ TermPtr Compiler::compiled(const PlaceObject& object) {
     TermPtr of;
     {
         const At at(*this, "of");
+        const Mat4 around = worldFromHere_;
+        worldFromHere_ = around * worldFromRest(object.placement);
         of = this->object(*object.of);
+        worldFromHere_ = around;
     }
     return transferred(made(AffineTransfer{object.placement}, Transfer{}, nullptr), of,
                        {Combine::Union, "", TransferRole::Place});
@@ -168,7 +171,7 @@ TermPtr Compiler::compiled(const TransferObject& object) {
         const At at(*this, "by", n);
         const Transfer* transfer = &*object.by[n];
         std::string name = transfer->name;
-        const Maps parts = maps(*transfer, &term->bounds);
+        const Maps parts = mapsFor(term, [&] { return maps(*transfer, &term->bounds); });
         while (const auto* use = std::get_if<TransferUse>(&transfer->kind)) {  // no circle: `maps` went through
             transfer = &*in_.scene.transfers.at(use->name);
             name = transfer->name.empty() ? use->name : transfer->name;
@@ -187,10 +190,6 @@ TermPtr Compiler::compiled(const TransferObject& object) {
     return term;
 }
 
-TermPtr Compiler::compiled(const ActorObject&) {
-    throw Error("actor", "actors are not built yet in this version of voledit", "use other types");
-}
-
 TermPtr Compiler::compiled(const DisplaceObject& object) {
     TermPtr of;
     {
@@ -198,7 +197,8 @@ TermPtr Compiler::compiled(const DisplaceObject& object) {
         of = this->object(*object.of);
     }
     const At at(*this, "by");
-    return transferred(displacement(*object.by, &of->bounds), of, {Combine::Union, "", TransferRole::Displace});
+    const TransferPtr by = mapsFor(of, [&] { return displacement(*object.by, &of->bounds); });
+    return transferred(by, of, {Combine::Union, "", TransferRole::Displace});
 }
 
 TermPtr Compiler::transferred(const TransferPtr& by, const TermPtr& of, const Application& how) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/skeleton/limb_regions.h"
 #include "core/stf/transfer_definition.h"
 
 namespace voledit {
@@ -45,8 +46,9 @@ private:
     template <class T>
     static constexpr bool kIsFlat =
         std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T> || std::is_same_v<T, Vec2> ||
-        std::is_same_v<T, Vec3> || std::is_same_v<T, Mat4> || std::is_same_v<T, Index3> || std::is_same_v<T, Box3> ||
-        std::is_same_v<T, Frame> || std::is_same_v<T, LineValue> || std::is_same_v<T, ColorTable::Point>;
+        std::is_same_v<T, Vec3> || std::is_same_v<T, Mat3> || std::is_same_v<T, Mat4> || std::is_same_v<T, Index3> ||
+        std::is_same_v<T, Box3> || std::is_same_v<T, Frame> || std::is_same_v<T, LineValue> ||
+        std::is_same_v<T, ColorTable::Point> || std::is_same_v<T, PosedJoint>;
 
     void addParts(const std::string& text) {
         add(text.size());
@@ -61,6 +63,15 @@ private:
     void addParts(const std::vector<T>& list) {
         add(list.size());
         for (const T& element : list) add(element);
+    }
+    void addParts(const Limb& limb) {
+        add(limb.name);
+        add(limb.from);
+        add(limb.to);
+        add(limb.size);
+        add(limb.offset);
+        add(limb.roll);
+        add(limb.pad);
     }
     template <class Key, class Value>
     void addParts(const std::map<Key, Value>& map) {

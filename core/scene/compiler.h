@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/scene/compile.h"
@@ -15,6 +16,9 @@ namespace voledit {
 
 /// Frames that transfers without one take, by the transfer's path.
 using DefaultFrames = std::map<NodePath, Frame>;
+
+/// Limbs of actors and `skeleton` STFs that leave sizes out, by the node's path, as fitted at the timeline's start.
+using FittedLimbs = std::map<NodePath, std::vector<Limb>>;
 
 /// A map, and what is odd about it.
 struct WarnedMap {
@@ -32,6 +36,7 @@ public:
         double time = 0;                   // seconds
         const Pieces* previous = nullptr;  // may be null
         DefaultFrames frames = {};         // known from the timeline's start
+        FittedLimbs fitted = {};           // as well
     };
     explicit Compiler(Inputs inputs) : in_(std::move(inputs)), made_(std::make_shared<Pieces>()) {}
 
@@ -40,9 +45,12 @@ public:
 
     /// What `root` found: frames that were left out, pieces for the next compilation, warnings with their places.
     const DefaultFrames& frames() const { return in_.frames; }
+    const FittedLimbs& fitted() const { return in_.fitted; }
+    /// The innermost first.
+    const std::vector<std::shared_ptr<const CompiledActor>>& actors() const { return actors_; }
     std::shared_ptr<const Pieces> pieces() const { return made_; }
     const std::vector<std::string>& warnings() const { return warnings_; }
-    /// Whether any of its formulas reads `t`.
+    /// Whether any of its formulas reads `t`, or a motion moves anything.
     bool readsTime() const { return readsTime_; }
 
 private:
@@ -59,7 +67,15 @@ private:
     TermPtr compiled(const PlaceObject& object);
     TermPtr compiled(const TransferObject& object);
     TermPtr compiled(const DisplaceObject& object);
-    TermPtr compiled(const ActorObject& object);
+    TermPtr compiled(const ActorObject& object);  // compile_actors.cpp
+    /// What make() gives, while STFs are applied to `operand`.
+    template <class Make>
+    auto mapsFor(const TermPtr& operand, const Make& make) {
+        const TermPtr around = std::exchange(operand_, operand);
+        auto result = make();
+        operand_ = around;
+        return result;
+    }
     struct Application {
         Combine combine = Combine::Union;
         std::string name;
@@ -78,11 +94,21 @@ private:
     TransferPtr made(const ExpressionTransfer& expression, const Transfer& transfer, const Box3* box);
     TransferPtr made(const FieldsTransfer& fields, const Transfer& transfer, const Box3* box);
     TransferPtr made(const MappedTransfer& mapped, const Transfer& transfer, const Box3* box);
+    TransferPtr made(const SkeletonTransfer& skeleton, const Transfer& transfer, const Box3* box);
     TransferDefinitionPtr definitionOf(const LibraryTransfer& library) const;
     Frame frameOfTransfer(const Transfer& transfer, const Box3* box);
     TransferPtr identity();
     TransferPtr scaled(const TransferPtr& map, double amount);
     TransferPtr sequence(const Maps& maps);
+
+    // compile_actors.cpp
+    CompiledActor posedRig(const ActorRig& rig, const std::vector<SceneLimb>& limbs, Skeleton skeleton);
+    void fitLimbs(CompiledActor& actor, const std::vector<SceneLimb>& written, const std::vector<TermPtr>& of);
+    std::shared_ptr<const std::vector<Limb>> fittedTo(const TermPtr& of, const CompiledActor& actor,
+                                                      const std::vector<bool>& fit);
+    std::shared_ptr<const LimbRegions> regionsOf(const CompiledActor& actor);
+    TransferPtr mapOf(const std::shared_ptr<const LimbRegions>& regions, const std::vector<int>& limbs,
+                      Outside outside);
 
     // compile_displacements.cpp
     TransferPtr displacement(const Displacement& displacement, const Box3* box);
@@ -142,6 +168,9 @@ private:
     std::set<std::string> transfers_, displacements_;  // names being compiled
     std::unordered_map<const void*, std::size_t> nodes_;
     std::vector<std::string> warnings_;
+    std::vector<std::shared_ptr<const CompiledActor>> actors_;
+    TermPtr operand_;          // of the STFs that are being made; null for those that have none
+    Mat4 worldFromHere_{1.0};  // by the places around
     bool readsTime_ = false;
 };
 

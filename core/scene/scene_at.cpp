@@ -15,9 +15,20 @@ bool hasTracks(const Node& node) {
     return any;
 }
 
+/// Whether a motion moves the node.
+template <class Node>
+bool hasMotion(const Node& node) {
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.rig; }) return !kind.rig.motion.empty();
+            return false;
+        },
+        node.kind);
+}
+
 template <class Node>
 bool anyWithin(const SharedValue<Node>& node) {
-    bool any = hasTracks(*node);
+    bool any = hasTracks(*node) || hasMotion(*node);
     visitChildren(*node, [&](const ChildStep&, const auto& child) { any = any || anyWithin(child); });
     return any;
 }

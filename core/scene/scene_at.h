@@ -5,7 +5,8 @@
 
 namespace voledit {
 
-/// Whether anything in the scene has tracks. (Formulas over t change over time too, without any.)
+/// Whether anything in the scene has tracks or is moved by a motion. (Formulas over t change over time too, without
+/// any.)
 bool animated(const Scene& scene);
 
 /// The scene at t seconds, an ordinary scene without tracks: every tracked value is its value then. Random access.
