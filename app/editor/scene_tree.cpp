@@ -273,7 +273,8 @@ std::string titleOf(const Object& object) {
                                  [](const TransferObject&) { return std::string("Transfer"); },
                                  [](const DisplaceObject&) { return std::string("Displace"); },
                                  [](const PlaceObject&) { return std::string("Place"); },
-                                 [](const RecolorObject&) { return std::string("Recolour"); }},
+                                 [](const RecolorObject&) { return std::string("Recolour"); },
+                                 [](const ActorObject& actor) { return actor.name.empty() ? "Actor" : actor.name; }},
                       object.kind);
 }
 
@@ -286,7 +287,8 @@ std::string titleOf(const Transfer& transfer) {
                                  [](const FieldsTransfer&) { return std::string("Fields"); },
                                  [](const SequenceTransfer&) { return std::string("Sequence"); },
                                  [](const TransferredTransfer&) { return std::string("Transferred"); },
-                                 [](const MappedTransfer&) { return std::string("Mapped cells"); }},
+                                 [](const MappedTransfer&) { return std::string("Mapped cells"); },
+                                 [](const SkeletonTransfer& limb) { return limb.limb; }},
                       transfer.kind);
 }
 
@@ -312,18 +314,18 @@ std::string titleOf(const Field& field) {
 }
 
 const char* iconOf(const Object& object) {
-    static constexpr const char* kIcons[] = {icons::kLink,     icons::kVolume,  icons::kSolid,
-                                             icons::kFields,   icons::kCombine, icons::kTransfer,
-                                             icons::kDisplace, icons::kPlace,   icons::kRecolor};
+    static constexpr const char* kIcons[] = {icons::kLink,    icons::kVolume,   icons::kSolid,    icons::kFields,
+                                             icons::kCombine, icons::kTransfer, icons::kDisplace, icons::kPlace,
+                                             icons::kRecolor, icons::kActor};
     return kIcons[object.kind.index()];
 }
 
 const char* iconOf(const Transfer& transfer) {
     if (const auto* library = std::get_if<LibraryTransfer>(&transfer.kind); library && library->isFile)
         return icons::kFormulaFile;
-    static constexpr const char* kIcons[] = {icons::kPlace,    icons::kLattice,  icons::kLink,
-                                             icons::kMagic,    icons::kFormula,  icons::kFields,
-                                             icons::kSequence, icons::kTransfer, icons::kLattice};
+    static constexpr const char* kIcons[] = {icons::kPlace,   icons::kLattice, icons::kLink,     icons::kMagic,
+                                             icons::kFormula, icons::kFields,  icons::kSequence, icons::kTransfer,
+                                             icons::kLattice, icons::kActor};
     return kIcons[transfer.kind.index()];
 }
 
