@@ -81,7 +81,7 @@ void placeTrunk(const BodyShape& body, BipedJoints& joints) {
     trunk[4] = middleAt(neck.base, trunk[3]);
     trunk[5] = middleAt(neck.skull, trunk[4]);
     // The skull's pivot is above the neck, not in the middle of the face.
-    trunk[5].z = 0.5 * (trunk[5].z + middleAt(0.5 * (neck.base + neck.skull), trunk[4]).z);
+    trunk[5].z = glm::mix(trunk[4].z, trunk[5].z, 0.25);
     trunk[6] = middleAt(glm::mix(neck.skull, body.box.max.y, 0.6), trunk[5]);
     trunk[6].y = body.box.max.y;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <queue>
 
 #include "core/base/parallel.h"
 #include "core/rigging/grid_steps.h"
@@ -11,40 +13,82 @@ namespace voledit {
 
 namespace {
 
-/// A bone with how deep it lies in the object along its length.
-struct Bone {
-    static constexpr int kPieces = 8;
-    Vec3 from, along;
-    double length2;
-    std::array<double, kPieces + 1> depth;
+/// Spreads the limbs from their bones through the object, each as fast as its bone lies deep where it started: so thick
+/// limbs take more than thin ones, and no limb takes what lies near it across a gap.
+class Spread {
+public:
+    Spread(const OpaqueVoxels& voxels, const std::vector<float>& distance)
+        : voxels_(voxels),
+          distance_(distance),
+          steps_(neighbourSteps(voxels)),
+          least_(1.5 * std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z})),
+          arrival_(distance.size(), kNever),
+          speed_(distance.size(), 0),
+          limb_(distance.size(), kNoLimb) {}
 
-    /// Distance of p over the depth of the bone where it is nearest. Beyond the ends a bone reaches less far than
-    /// across: there its neighbours in the chain are.
-    double relativeDistance(const Vec3& p) const {
-        constexpr double kBeyondEnds = 2.5;
-        const double whole = glm::dot(p - from, along) / length2;
-        const double t = std::clamp(whole, 0.0, 1.0);
-        const double s = t * kPieces;
-        const int i = std::min(kPieces - 1, static_cast<int>(s));
-        const double d = depth[std::size_t(i)] + (s - i) * (depth[std::size_t(i) + 1] - depth[std::size_t(i)]);
-        return (glm::length(p - from - whole * along) + kBeyondEnds * std::abs(whole - t) * std::sqrt(length2)) / d;
+    void start(std::int16_t limb, const Vec3& from, const Vec3& to, bool atHub) {
+        // Where several limbs begin, each begins a little way out, so that what lies behind the joint goes to the one
+        // that bends towards it.
+        const double begin = atHub ? 0.15 : 0;
+        const int pieces = std::max(2, static_cast<int>(std::ceil(4 * glm::length(to - from) / least_)));
+        bool inside = false;
+        for (int i = 0; i <= pieces; ++i) inside |= startAt(limb, glm::mix(from, to, begin + (1 - begin) * i / pieces));
+        if (!inside) startNearest(limb, 0.5 * (from + to));
     }
+
+    std::vector<std::int16_t> run() {
+        while (!open_.empty()) {
+            const auto [time, i] = open_.top();
+            open_.pop();
+            if (time > arrival_[i]) continue;
+            const Index3 c = cellOf(voxels_, i);
+            for (const NeighbourStep& s : steps_) {
+                if (!isInside(voxels_, c + s.by)) continue;
+                const auto j = static_cast<std::uint32_t>(std::ptrdiff_t(i) + s.offset);
+                if (voxels_.opaque[j]) arrive(j, limb_[i], time + static_cast<float>(s.length) / speed_[i], speed_[i]);
+            }
+        }
+        return std::move(limb_);
+    }
+
+private:
+    static constexpr float kNever = std::numeric_limits<float>::infinity();
+    using Entry = std::pair<float, std::uint32_t>;
+
+    bool startAt(std::int16_t limb, const Vec3& p) {
+        const Index3 c = cellAt(voxels_, p);
+        if (!isInside(voxels_, c) || !voxels_.opaque[voxels_.indexOf(c)]) return false;
+        const double speed = std::max(least_, distanceAt(voxels_, distance_, p));
+        arrive(static_cast<std::uint32_t>(voxels_.indexOf(c)), limb,
+               static_cast<float>(glm::length(voxels_.centre(c) - p) / speed), static_cast<float>(speed));
+        return true;
+    }
+    /// A bone that lies outside altogether still has a say, from the nearest opaque voxel.
+    void startNearest(std::int16_t limb, const Vec3& p) {
+        double nearest = kInfinity;
+        std::uint32_t found = 0;
+        for (std::uint32_t i = 0; i < voxels_.opaque.size(); ++i)
+            if (voxels_.opaque[i])
+                if (const double d = glm::length(voxels_.centre(cellOf(voxels_, i)) - p); d < nearest)
+                    std::tie(nearest, found) = std::pair(d, i);
+        if (nearest < kInfinity) arrive(found, limb, static_cast<float>(nearest / least_), static_cast<float>(least_));
+    }
+    void arrive(std::uint32_t cell, std::int16_t limb, float time, float speed) {
+        if (time >= arrival_[cell]) return;
+        arrival_[cell] = time;
+        speed_[cell] = speed;
+        limb_[cell] = limb;
+        open_.emplace(time, cell);
+    }
+
+    const OpaqueVoxels& voxels_;
+    const std::vector<float>& distance_;
+    const std::vector<NeighbourStep> steps_;
+    const double least_;
+    std::vector<float> arrival_, speed_;
+    std::vector<std::int16_t> limb_;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
-
-Bone boneOf(const OpaqueVoxels& voxels, const std::vector<float>& distance, const Limb& limb,
-            const std::vector<PosedJoint>& rest) {
-    Bone bone;
-    bone.from = rest[std::size_t(limb.from)].position;
-    bone.along = rest[std::size_t(limb.to)].position - bone.from;
-    bone.length2 = std::max(glm::dot(bone.along, bone.along), 1e-300);
-    // A bone that grazes the surface, or leaves the object, still has a say.
-    const double least = 1.5 * std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z});
-    for (int i = 0; i <= Bone::kPieces; ++i) {
-        const Vec3 p = bone.from + (double(i) / Bone::kPieces) * bone.along;
-        bone.depth[std::size_t(i)] = std::max(least, distanceAt(voxels, distance, p));
-    }
-    return bone;
-}
 
 /// For each opaque voxel the index of the one where its climb ends.
 std::vector<std::uint32_t> middles(const OpaqueVoxels& voxels, const std::vector<float>& distance) {
@@ -84,27 +128,72 @@ std::vector<std::uint32_t> middles(const OpaqueVoxels& voxels, const std::vector
     return next;
 }
 
+/// Parts of the object that no bone reaches into: each voxel takes the limb whose bone is nearest.
+void joinLoose(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
+               std::vector<std::int16_t>& parts) {
+    parallelFor(parts.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!voxels.opaque[i] || parts[i] != kNoLimb) continue;
+            const Vec3 p = voxels.centre(cellOf(voxels, i));
+            double nearest = kInfinity;
+            for (std::size_t l = 0; l < limbs.size(); ++l) {
+                const Vec3 from = rest[std::size_t(limbs[l].from)].position;
+                const Vec3 along = rest[std::size_t(limbs[l].to)].position - from;
+                const double t = glm::dot(p - from, along) / std::max(glm::dot(along, along), 1e-300);
+                if (const double d = glm::length(p - from - std::clamp(t, 0.0, 1.0) * along); d < nearest) {
+                    nearest = d;
+                    parts[i] = static_cast<std::int16_t>(l);
+                }
+            }
+        }
+    });
+}
+
+/// Where several limbs begin at one joint, none keeps what lies behind the joint as its bone points: the one that
+/// points there most takes it. They all turn with that joint, so nothing tears between them, and their boxes overlap
+/// less.
+void shareHubs(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
+               std::vector<std::int16_t>& parts) {
+    std::vector<std::vector<std::size_t>> sisters(limbs.size());
+    for (std::size_t l = 0; l < limbs.size(); ++l)
+        for (std::size_t k = 0; k < limbs.size(); ++k)
+            if (k != l && limbs[k].from == limbs[l].from) sisters[l].push_back(k);
+    const auto along = [&](std::size_t l, const Vec3& p) {
+        const Vec3 from = rest[std::size_t(limbs[l].from)].position;
+        return glm::dot(p - from, glm::normalize(rest[std::size_t(limbs[l].to)].position - from));
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i] == kNoLimb || sisters[std::size_t(parts[i])].empty()) continue;
+        const Vec3 p = voxels.centre(cellOf(voxels, i));
+        const auto own = std::size_t(parts[i]);
+        if (along(own, p) >= 0) continue;
+        double most = 0;
+        for (const std::size_t k : sisters[own])
+            if (const double a = along(k, p); a > most) {
+                most = a;
+                parts[i] = static_cast<std::int16_t>(k);
+            }
+    }
+}
+
 }  // namespace
 
 std::vector<std::int16_t> limbParts(const OpaqueVoxels& voxels, const std::vector<float>& distance,
                                     const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest) {
-    std::vector<Bone> bones;
-    for (const Limb& limb : limbs) bones.push_back(boneOf(voxels, distance, limb, rest));
+    Spread spread(voxels, distance);
+    for (std::size_t l = 0; l < limbs.size(); ++l) {
+        const auto sisters =
+            std::count_if(limbs.begin(), limbs.end(), [&](const Limb& other) { return other.from == limbs[l].from; });
+        spread.start(static_cast<std::int16_t>(l), rest[std::size_t(limbs[l].from)].position,
+                     rest[std::size_t(limbs[l].to)].position, sisters > 1);
+    }
+    const auto reached = spread.run();
     const auto middle = middles(voxels, distance);
     std::vector<std::int16_t> parts(voxels.opaque.size(), kNoLimb);
-    const std::size_t slice = std::size_t(voxels.size.x) * std::size_t(voxels.size.y);
-    parallelFor(std::size_t(voxels.size.z), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin * slice; i < end * slice; ++i) {
-            if (!voxels.opaque[i]) continue;
-            const Vec3 p = voxels.centre(cellOf(voxels, middle[i]));
-            double best = kInfinity;
-            for (std::size_t l = 0; l < bones.size(); ++l)
-                if (const double d = bones[l].relativeDistance(p); d < best) {
-                    best = d;
-                    parts[i] = static_cast<std::int16_t>(l);
-                }
-        }
-    });
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (voxels.opaque[i]) parts[i] = reached[middle[i]];
+    joinLoose(voxels, limbs, rest, parts);
+    shareHubs(voxels, limbs, rest, parts);
     return parts;
 }
 
