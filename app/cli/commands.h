@@ -11,6 +11,7 @@ namespace voledit {
 using Command = std::function<int()>;
 
 Command addRenderCommand(CLI::App& command, const CommonArguments& common);
+Command addAnimateCommand(CLI::App& command, const CommonArguments& common);
 Command addVoxelizeCommand(CLI::App& command, const CommonArguments& common);
 Command addInfoCommand(CLI::App& command, const CommonArguments& common);
 Command addSampleCommand(CLI::App& command, const CommonArguments& common);

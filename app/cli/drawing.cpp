@@ -40,31 +40,32 @@ public:
         : context_(createOffscreenContext(backend)), slices_(new SliceRenderer), orRays_(orRays) {}
 
     Picture draw(const CompiledScene& scene, Index2 size, Progress* progress) override {
-        if (rays_) return rays_->draw(scene, size, progress);
+        byRays_ = false;
         try {
             slices_->begin(scene, size);
         } catch (const Error& error) {
             if (!orRays_) throw;
-            printWarnings({std::string(error.what()) + " (drawn by rays)"});
-            rays_ = std::make_unique<RayDrawing>();
-            return rays_->draw(scene, size, progress);
+            if (!std::exchange(warned_, true)) printWarnings({std::string(error.what()) + " (drawn by rays)"});
+            byRays_ = true;
+            return rays_.draw(scene, size, progress);
         }
         while (!slices_->advance(progress ? 200 : 0)) report(progress, slices_->progress());
         return slices_->readBack();
     }
     DrawStatistics statistics() const override {
-        if (rays_) return rays_->statistics();
+        if (byRays_) return rays_.statistics();
         const SliceStatistics& s = slices_->statistics();
         return {.slices = s.slices, .samples = 0, .cells = s.cells};
     }
-    std::string renderer() const override { return rays_ ? "rays" : "slices"; }
-    std::string gl() const override { return rays_ ? "" : context_->name(); }
+    std::string renderer() const override { return byRays_ ? "rays" : "slices"; }
+    std::string gl() const override { return byRays_ ? "" : context_->name(); }
 
 private:
     std::unique_ptr<GlContext> context_;
     std::unique_ptr<SliceRenderer> slices_;  // goes before its context
     bool orRays_;
-    std::unique_ptr<RayDrawing> rays_;  // once slices could not draw the term
+    RayDrawing rays_;
+    bool byRays_ = false, warned_ = false;  // whether the last picture was drawn by rays; whether that was ever said
 };
 
 /// The outermost STF of `object`, for changing; follows `use`. Null where there is none.
@@ -83,11 +84,15 @@ Transfer* outermost(Scene& scene, ObjectRef& object) {
 
 }  // namespace
 
-std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::string& gl) {
+void checkDrawingNames(const std::string& renderer, const std::string& gl) {
     if (!renderer.empty() && renderer != "slices" && renderer != "rays")
         throw UsageError("--renderer " + renderer + ": there are slices and rays");
     if (gl != "auto" && gl != "egl" && gl != "osmesa")
         throw UsageError("--gl " + gl + ": there are auto, egl and osmesa");
+}
+
+std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::string& gl) {
+    checkDrawingNames(renderer, gl);
     if (renderer == "rays") return std::make_unique<RayDrawing>();
     const GlBackend backend = gl == "egl" ? GlBackend::Egl : gl == "osmesa" ? GlBackend::Osmesa : GlBackend::Auto;
     return std::make_unique<SliceDrawing>(backend, renderer.empty());

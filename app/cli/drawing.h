@@ -30,8 +30,11 @@ public:
     virtual std::string gl() const = 0;
 };
 
+/// Throws UsageError for words that name no renderer or no way to OpenGL.
+void checkDrawingNames(const std::string& renderer, const std::string& gl);
+
 /// @param renderer  "slices", "rays", or "" for slices that leave a term which they cannot draw to rays, with a
-/// warning;
+/// warning, once; which of the two draws a picture depends on that picture's term alone;
 /// @param gl  "auto", "egl" or "osmesa". Throws UsageError for other words, Error
 /// where the context cannot be made.
 std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::string& gl);

@@ -22,6 +22,7 @@ struct Description {
 
 constexpr Description kCommands[] = {
     {"render", "Render a scene to a picture, without a window", addRenderCommand},
+    {"animate", "Render a scene over time to a video or to numbered pictures", addAnimateCommand},
     {"voxelize", "Sample a scene on a regular grid and write a volume", addVoxelizeCommand},
     {"info", "Say what a volume or a scene holds", addInfoCommand},
     {"sample", "Values of a volume or a scene at points", addSampleCommand},
@@ -32,7 +33,7 @@ constexpr Description kCommands[] = {
 };
 
 /// Commands of the contract that this version lacks.
-const std::map<std::string, std::string> kNotYet = {{"animate", "animations"}, {"pose", "poses of a motion file"}};
+const std::map<std::string, std::string> kNotYet = {{"pose", "poses of a motion file"}};
 
 int runCommand(int argc, char** argv) {
     CLI::App app{"voledit: deforms volumes directly, without resampling them", "voledit"};

@@ -1,13 +1,13 @@
 // `voledit render`: a scene to a picture, headless.
 
 #include <CLI/App.hpp>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/drawing.h"
 #include "app/cli/output.h"
+#include "app/cli/picture_arguments.h"
 #include "core/base/error.h"
 
 namespace voledit {
@@ -16,8 +16,9 @@ namespace {
 
 struct RenderArguments {
     InputArguments input;
-    std::string output, size = "960x720", renderer, gl = "auto", camera, stats;
-    double time = kNaN, step = kNaN;
+    PictureArguments picture;
+    std::string output, stats;
+    double time = kNaN;
     int timeFrames = 0, timeEdits = 0;
 };
 
@@ -26,8 +27,7 @@ void checkArguments(const RenderArguments& a) {
     if (ending != ".png" && ending != ".exr") throw UsageError("-o " + a.output + ": name a .png or .exr file");
     if (a.timeFrames < 0 || a.timeEdits < 0 || a.timeFrames > 100000 || a.timeEdits > 100000)
         throw UsageError("--time-frames and --time-edits take a number from 0 to 100000");
-    if (!std::isnan(a.step) && !(a.step >= 0.001 && a.step <= 1000))
-        throw UsageError("--step: give a number from 0.001 to 1000");
+    a.picture.check();
 }
 
 std::vector<double> timeFrames(Drawing& drawing, CompiledScene scene, Index2 size, int count) {
@@ -73,13 +73,12 @@ void writeStatistics(const std::string& path, const Drawing& drawing, Index2 siz
 
 int render(const RenderArguments& a, const CommonArguments& common) {
     checkArguments(a);
-    const Index2 size = parseSize2(a.size, "--size");
-    const auto drawing = makeDrawing(a.renderer, a.gl);
+    const Index2 size = a.picture.pixels();
+    const auto drawing = a.picture.drawing();
     checkWritable(a.output);
     IoClient io;
     OpenedScene opened = open(io, a.input, common);
-    if (!a.camera.empty()) opened.scene.camera = readCamera(a.camera);
-    if (!std::isnan(a.step)) opened.scene.render.step = a.step;
+    a.picture.applyTo(opened.scene);
     const CompiledScene scene = compileAt(opened, a.input, a.time, double(size.x) / size.y);
 
     Picture picture;
@@ -101,12 +100,8 @@ Command addRenderCommand(CLI::App& command, const CommonArguments& common) {
     auto a = std::make_shared<RenderArguments>();
     addInputArguments(command, a->input, "scene");
     command.add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required()->type_name("OUT");
-    command.add_option("--size", a->size, "Width and height in pixels")->capture_default_str()->type_name("WxH");
     command.add_option("--time", a->time, "Time in seconds (the timeline's start)")->type_name("S");
-    command.add_option("--renderer", a->renderer, "slices (OpenGL, the default) or rays (CPU)");
-    command.add_option("--step", a->step, "Distance of samples in units of the smallest spacing")->type_name("F");
-    command.add_option("--camera", a->camera, "JSON file with eye, target, up, fovY")->type_name("FILE");
-    command.add_option("--gl", a->gl, "osmesa, egl or auto")->capture_default_str();
+    addPictureArguments(command, a->picture);
     command.add_option("--stats", a->stats, "Write measurements as JSON")->type_name("FILE");
     command.add_option("--time-frames", a->timeFrames, "Draw and time N more frames, orbiting")->type_name("N");
     command.add_option("--time-edits", a->timeEdits, "Make and time N small edits of the outermost lattice")

@@ -2,8 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <thread>
@@ -19,13 +21,17 @@ void onInterrupt(int) {
     interrupted = 1;
 }
 
-void draw(const std::string& what, double fraction) {
+void draw(const std::string& what, double fraction, double seconds) {
     constexpr int kWidth = 30;
     const int filled = static_cast<int>(fraction * kWidth);
     std::fprintf(stderr, "\r%s [", what.c_str());
     for (int i = 0; i < kWidth; ++i) std::fputc(i < filled ? '#' : '.', stderr);
-    std::fprintf(stderr, "] %3d %%", static_cast<int>(fraction * 100));
+    std::fprintf(stderr, "] %3d %%%-24s", static_cast<int>(fraction * 100), timeLeft(seconds, fraction).c_str());
     std::fflush(stderr);
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -44,10 +50,10 @@ void withProgress(const std::string& what, Verbosity verbosity, const std::funct
         bool drawn = false;
         for (int tick = 0; !done; ++tick) {
             if (interrupted) progress.cancel();
-            if (bar && tick >= 25 && tick % 5 == 0) draw(what, progress.fraction()), drawn = true;
+            if (bar && tick >= 25 && tick % 5 == 0) draw(what, progress.fraction(), secondsSince(start)), drawn = true;
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
-        if (drawn) std::fprintf(stderr, "\r%*s\r", 60 + static_cast<int>(what.size()), "");
+        if (drawn) std::fprintf(stderr, "\r%*s\r", 70 + static_cast<int>(what.size()), "");
     });
     const auto finish = [&] {
         done = true;
@@ -62,8 +68,15 @@ void withProgress(const std::string& what, Verbosity verbosity, const std::funct
     }
     finish();
     if (verbosity == Verbosity::Verbose)
-        std::fprintf(stderr, "voledit: %s: %.0f ms\n", what.c_str(),
-                     std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        std::fprintf(stderr, "voledit: %s: %.0f ms\n", what.c_str(), secondsSince(start) * 1000);
+}
+
+std::string timeLeft(double seconds, double fraction) {
+    if (seconds < 2 || fraction < 0.01 || fraction >= 1) return "";
+    const long left = std::lround(seconds / fraction * (1 - fraction));
+    if (left < 90) return ", about " + std::to_string(std::max(left, 1L)) + " s left";
+    if (left < 90 * 60) return ", about " + std::to_string((left + 30) / 60) + " min left";
+    return ", about " + std::to_string((left + 1800) / 3600) + " h left";
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

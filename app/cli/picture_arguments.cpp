@@ -1,0 +1,30 @@
+#include "app/cli/picture_arguments.h"
+
+#include <CLI/App.hpp>
+#include <cmath>
+
+#include "app/cli/output.h"
+
+namespace voledit {
+
+void PictureArguments::check() const {
+    pixels();
+    checkDrawingNames(renderer, gl);
+    if (!std::isnan(step) && !(step >= 0.001 && step <= 1000))
+        throw UsageError("--step: give a number from 0.001 to 1000");
+}
+
+void PictureArguments::applyTo(Scene& scene) const {
+    if (!camera.empty()) scene.camera = readCamera(camera);
+    if (!std::isnan(step)) scene.render.step = step;
+}
+
+void addPictureArguments(CLI::App& command, PictureArguments& a) {
+    command.add_option("--size", a.size, "Width and height in pixels")->capture_default_str()->type_name("WxH");
+    command.add_option("--renderer", a.renderer, "slices (OpenGL, the default) or rays (CPU)");
+    command.add_option("--step", a.step, "Distance of samples in units of the smallest spacing")->type_name("F");
+    command.add_option("--camera", a.camera, "JSON file with eye, target, up, fovY")->type_name("FILE");
+    command.add_option("--gl", a.gl, "osmesa, egl or auto")->capture_default_str();
+}
+
+}  // namespace voledit
