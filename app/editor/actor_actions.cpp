@@ -222,8 +222,10 @@ void selectActor(Workspace& workspace, const CompiledActor& actor) {
     selectTarget(workspace, actor.path);
 }
 
-When whenNow(const Workspace& workspace) {
-    return {workspace.time, workspace.timeline.autoKey};
+std::string actorMode(const Workspace& workspace) {
+    if (!hasActor(workspace)) return "";
+    const ActorObject* actor = findActorAt(workspace.document.scene(), needActor(workspace, "")->path);
+    return !actor ? "" : actor->rig.allDisjoint ? "disjoint" : "connected";
 }
 
 Scene atRest(Scene scene, const NodePath& path) {

@@ -30,8 +30,8 @@ bool hasActor(const Workspace& workspace);
 std::vector<int> selectedJoints(const Workspace& workspace, const CompiledActor& actor);
 /// Selects the actor, if it is not, with the joints that it has selected.
 void selectActor(Workspace& workspace, const CompiledActor& actor);
-/// When edits of joints act: at the key of the time shown, as a key where keys are set by themselves.
-When whenNow(const Workspace& workspace);
+/// "connected", "disjoint" or, without an actor, "": what actor.mode has been given.
+std::string actorMode(const Workspace& workspace);
 
 /// `scene` with actor `path` in its rest pose: without motion, and no joint with a rotation or displacement of its own.
 Scene atRest(Scene scene, const NodePath& path);

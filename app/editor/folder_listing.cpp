@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "app/editor/motion_import.h"
+
 namespace voledit {
 
 namespace fs = std::filesystem;
@@ -23,6 +25,7 @@ std::string lower(std::string text) {
 bool isOf(FileKinds kinds, const fs::path& path) {
     if (kinds == FileKinds::All) return true;
     if (kinds == FileKinds::Formulas) return lower(path.extension().string()) == ".stf";
+    if (kinds == FileKinds::Motions) return isMotionFile(path);
     static constexpr std::array<const char*, 16> kEndings{".voledit", ".nrrd", ".nhdr", ".nii", ".nii.gz", ".mhd",
                                                           ".mha",     ".dcm",  ".ima",  ".tif", ".tiff",   ".png",
                                                           ".vdb",     ".vtk",  ".hdr",  ".img"};

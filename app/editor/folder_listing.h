@@ -17,8 +17,8 @@ struct BrowserEntry {
     bool operator==(const BrowserEntry&) const = default;
 };
 
-/// Which files are shown: all, scenes and volumes, formula files (.stf).
-enum class FileKinds : unsigned char { All, Openable, Formulas };
+/// Which files are shown: all, scenes and volumes, formula files (.stf), motions.
+enum class FileKinds : unsigned char { All, Openable, Formulas, Motions };
 
 /// True if the name's ending is one of `kinds`.
 bool isOf(FileKinds kinds, const std::filesystem::path& path);

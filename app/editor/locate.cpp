@@ -4,6 +4,7 @@
 #include <cctype>
 #include <glm/common.hpp>
 
+#include "app/editor/tools/actor_view.h"
 #include "app/editor/tools/tool_actions.h"
 #include "core/base/error.h"
 
@@ -53,6 +54,16 @@ Vec2 pointAt(const Place& place, const Workspace& workspace) {
     return Vec2(workspace.viewOrigin) + Vec2(pixel);
 }
 
+Vec2 shownJointAt(const Place& place, const Workspace& workspace) {
+    const CompiledScene* compiled = workspace.compiled.root ? &workspace.compiled : nullptr;
+    const JointRef joint = jointNamed(workspace.document.scene(), compiled, workspace.selection, place.name);
+    const Vec3 pixel = project(workspace.camera, workspace.viewSize, shownJoint(*joint.actor, joint.joint));
+    const Vec2 size(workspace.viewSize);
+    if (!(pixel.z > 0 && pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y))
+        throw Error(textOf(place) + " is not on the screen; turn the view, or frame it first (do view.frame)");
+    return Vec2(workspace.viewOrigin) + Vec2(pixel);
+}
+
 Vec2 placeAt(const Place& place, const Workspace& workspace, const WidgetPlaces& widgets) {
     switch (place.kind) {
         case Place::Kind::Pixel:
@@ -70,7 +81,7 @@ Vec2 placeAt(const Place& place, const Workspace& workspace, const WidgetPlaces&
         case Place::Kind::Widget:
             return widgetAt(place.name, widgets);
         case Place::Kind::Joint:
-            throw Error("@joint(" + place.name + "): skeletons are not in this version");
+            return shownJointAt(place, workspace);
         case Place::Kind::Key:
             throw Error("@key(" + place.name + ",…): tracks are not in this version");
     }

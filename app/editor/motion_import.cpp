@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string endingOf(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return ending;
-}
-
 /// The asset that is this very file; "" where none is.
 std::string assetOf(const Workspace& workspace, const std::string& written) {
     for (const auto& [name, asset] : workspace.document.scene().assets)
@@ -36,9 +30,9 @@ std::string someNames(const std::vector<std::string>& names) {
 
 }  // namespace
 
-bool isMotionFile(const fs::path& path) {
-    constexpr std::array kEndings{".bvh", ".fbx", ".dae", ".glb", ".gltf"};
-    return std::find(kEndings.begin(), kEndings.end(), endingOf(path)) != kEndings.end();
+ReadMotion readMotionFile(IoClient& io, const fs::path& path, Progress* progress) {
+    MotionFile file = io.readMotion(path, progress);
+    return {path, std::move(file.motion), std::move(file.warnings)};
 }
 
 NodePath actorForMotion(const Workspace& workspace) {
@@ -50,39 +44,66 @@ NodePath actorForMotion(const Workspace& workspace) {
     throw Error("the scene has several actors; select the one that the motion is to drive");
 }
 
-void takeMotion(Workspace& workspace, const ReadMotion& read) {
-    const NodePath actor = actorForMotion(workspace);
-    const std::string written = writtenPath(read.path.string(), workspace.folder);
-    std::string name = assetOf(workspace, written), problem;
-    workspace.document.apply("Import motion", [&](Scene& scene) {
-        if (name.empty()) name = addMotionAsset(scene, read.path.stem().string(), written);
-        try {
-            setMotion(scene, actor, name, *read.motion);
-        } catch (const Error& error) {
-            problem = error.what();
-            // The table is what the user goes on with: it must stand there, with nothing in it.
-            const Skeleton skeleton = meantActor(scene, &workspace.compiled, workspace.selection)->skeleton;
-            editRig(scene, actor, [&](ActorRig& rig) {
-                rig.motion = name;
-                rig.motionMap.clear();
-                for (const Joint& joint : skeleton.joints) rig.motionMap[joint.name] = "";
-            });
-        }
-        // Before the step ends: it is compiled with it.
-        workspace.assets.motions[name] = read.motion;
-    });
-    for (const std::string& warning : read.warnings) workspace.notify(Notice::Kind::Warning, warning);
-    selectTarget(workspace, actor);
-    if (problem.empty()) {
-        workspace.notify(Notice::Kind::Info, "Motion " + name + ": " + std::to_string(read.motion->frames) + " frames");
+namespace {
+
+/// Lets `motion` drive the actor. Where nothing matches, the table stands there with nothing in it, for the user to go
+/// on with, and false is given back.
+bool drive(Scene& scene, const CompiledScene& compiled, const NodePath& actor, const std::string& asset,
+           const Motion& motion) {
+    try {
+        setMotion(scene, actor, asset, motion);
+        return true;
+    } catch (const Error&) {
+        editRig(scene, actor, [&](ActorRig& rig) {
+            rig.motion = asset;
+            rig.motionMap.clear();
+            for (const ActorPtr& shown : compiled.actors)
+                if (shown->path == actor)
+                    for (const Joint& joint : shown->skeleton.joints) rig.motionMap[joint.name] = "";
+        });
+        return false;
+    }
+}
+
+void tellOf(Workspace& workspace, const std::string& name, const Motion& motion, bool matched) {
+    if (matched) {
+        workspace.notify(Notice::Kind::Info, "Motion " + name + ": " + std::to_string(motion.frames) + " frames");
         return;
     }
     std::vector<std::string> joints;
-    for (const MotionJoint& joint : read.motion->joints) joints.push_back(joint.name);
+    for (const MotionJoint& joint : motion.joints) joints.push_back(joint.name);
     workspace.actors.showTable = true;
     workspace.notify(Notice::Kind::Warning, "No joint of " + name + " (" + someNames(joints) +
                                                 ") is called as one of the actor's. Choose which drives which in "
-                                                "Inspector ▸ Motion ▸ Joints.");
+                                                "the inspector's table of joints.");
+}
+
+}  // namespace
+
+void takeMotion(Workspace& workspace, const ReadMotion& read) {
+    const NodePath actor = actorForMotion(workspace);
+    const std::string written = writtenPath(read.path.string(), workspace.folder);
+    std::string name = assetOf(workspace, written);
+    bool matched = true;
+    workspace.document.apply("Import motion", [&](Scene& scene) {
+        if (name.empty()) name = addMotionAsset(scene, read.path.stem().string(), written);
+        matched = drive(scene, workspace.compiled, actor, name, *read.motion);
+    });
+    workspace.assets.motions[name] = read.motion;
+    for (const std::string& warning : read.warnings) workspace.notify(Notice::Kind::Warning, warning);
+    selectTarget(workspace, actor);
+    tellOf(workspace, name, *read.motion, matched);
+}
+
+void driveByAsset(Workspace& workspace, const NodePath& actor, const std::string& asset) {
+    const auto found = workspace.assets.motions.find(asset);
+    if (found == workspace.assets.motions.end())
+        throw Error("asset \"" + asset + "\"", "its motion was not read", "open the scene again");
+    const std::shared_ptr<const Motion> motion = found->second;
+    bool matched = true;
+    workspace.document.apply("Change motion",
+                             [&](Scene& scene) { matched = drive(scene, workspace.compiled, actor, asset, *motion); });
+    tellOf(workspace, asset, *motion, matched);
 }
 
 }  // namespace voledit

@@ -11,10 +11,6 @@
 
 namespace voledit {
 
-/// True if `path` is named as a file that holds nothing but motions: .bvh, .fbx, .dae; and .glb, .gltf where an actor
-/// waits for one.
-bool isMotionFile(const std::filesystem::path& path);
-
 /// A motion as read from a file.
 struct ReadMotion {
     std::filesystem::path path;
@@ -22,10 +18,16 @@ struct ReadMotion {
     std::vector<std::string> warnings;
 };
 
+/// Reads a motion of any format. Throws Error, Cancelled.
+ReadMotion readMotionFile(IoClient& io, const std::filesystem::path& path, Progress* progress);
+
 /// Adds the motion as an asset (or takes the asset that is that file already) and lets it drive the active actor, as
 /// one step. Where no joint of both is called alike, every joint keeps its rest, and a notice points to the table.
 /// Throws Error where there is no actor.
 void takeMotion(Workspace& workspace, const ReadMotion& read);
+
+/// Lets a motion asset that is there already drive the actor at `actor`, as one step; the same where nothing matches.
+void driveByAsset(Workspace& workspace, const NodePath& actor, const std::string& asset);
 
 /// The actor that a motion goes to. Throws Error where there is none, or several and none is selected.
 NodePath actorForMotion(const Workspace& workspace);

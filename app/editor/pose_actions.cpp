@@ -87,7 +87,7 @@ void rotateAction(Workspace& workspace, const std::string& argument) {
         if (const auto& limits = actor->skeleton.joints[std::size_t(j)].limits) local = limited(local, *limits);
     }
     workspace.document.apply("Rotate " + countOf(*actor, joints),
-                             [&](Scene& scene) { setPose(scene, *actor, pose, whenNow(workspace)); });
+                             [&](Scene& scene) { setPose(scene, *actor, pose, workspace.when()); });
 }
 
 void moveAction(Workspace& workspace, const std::string& argument) {
@@ -106,7 +106,7 @@ void moveAction(Workspace& workspace, const std::string& argument) {
     const Pose pose = reached(*actor, joint, to, chain);
     const bool root = actor->skeleton.joints[std::size_t(joint)].parent == Joint::kNoParent;
     workspace.document.apply((root ? "Move " : "Pose ") + name,
-                             [&](Scene& scene) { setPose(scene, *actor, pose, whenNow(workspace)); });
+                             [&](Scene& scene) { setPose(scene, *actor, pose, workspace.when()); });
 }
 
 bool isDisjoint(const ActorRig& rig, const std::string& joint) {
@@ -173,7 +173,7 @@ NamedPose merged(const Workspace& workspace, const CompiledActor& actor, const N
 }
 
 void setWholePose(Workspace& workspace, const CompiledActor& actor, const std::string& step, const NamedPose& pose) {
-    workspace.document.apply(step, [&](Scene& scene) { applyPose(scene, actor.path, pose, whenNow(workspace)); });
+    workspace.document.apply(step, [&](Scene& scene) { applyPose(scene, actor.path, pose, workspace.when()); });
 }
 
 std::string partnerOf(const CompiledActor& actor, const std::string& joint) {

@@ -72,6 +72,7 @@ std::string detailOf(const Object& object) {
     if (const auto* transfer = std::get_if<TransferObject>(&object.kind))
         return count(transfer->by.size(), "deformation");
     if (const auto* volume = std::get_if<VolumeObject>(&object.kind)) return volume->asset;
+    if (const auto* actor = std::get_if<ActorObject>(&object.kind)) return actor->rig.motion;
     return {};
 }
 
@@ -152,6 +153,8 @@ void describe(SceneRow& row, const Resolved& shown) {
                               row.label = titleOf(*o);
                               row.detail = detailOf(*o);
                               row.icon = iconOf(*o);
+                              const auto* actor = std::get_if<ActorObject>(&o->kind);
+                              if (actor && row.name.empty()) row.name = actor->name;
                           },
                           [&](const Transfer* t) {
                               row.label = titleOf(*t);
@@ -274,7 +277,7 @@ std::string titleOf(const Object& object) {
                                  [](const DisplaceObject&) { return std::string("Displace"); },
                                  [](const PlaceObject&) { return std::string("Place"); },
                                  [](const RecolorObject&) { return std::string("Recolour"); },
-                                 [](const ActorObject& actor) { return actor.name.empty() ? "Actor" : actor.name; }},
+                                 [](const ActorObject&) { return std::string("Actor"); }},
                       object.kind);
 }
 
