@@ -16,10 +16,10 @@ struct IkGoal {
 
 /// The pose with the chain's joints turned so that `goal.joint` comes as near to the target as bones and joint limits
 /// allow; all others keep their local rotations. Two bones without limits: the law of cosines, exact to rounding; else
-/// cyclic coordinate descent with limits [Wang, Chen 1991], at most 200 rounds, to 1e-6 of the chain's length where
-/// reachable. A target out of reach: the chain stretches towards it. Chains shorter than asked for (at the root) are
-/// solved as they are; a joint without a parent stays. Throws Error if the joint does not exist or the target is not
-/// finite.
+/// cyclic coordinate descent, angle by angle where there are limits, at most 200 rounds, and then damped least squares
+/// [Wang, Chen 1991], to 1e-6 of the chain's length where reachable. A target out of reach: the chain stretches towards
+/// it. Chains shorter than asked for (at the root) are solved as they are; a joint without a parent stays. Throws Error
+/// if the joint does not exist or the target is not finite.
 Pose solved(const Skeleton& skeleton, const Pose& pose, const IkGoal& goal);
 
 /// The nearest rotation within the limits (each of the three angles clamped).

@@ -53,8 +53,8 @@ double sixVolume(const std::array<Vec3, 8>& p, const std::array<int, 4>& t) {
                     glm::cross(p[std::size_t(t[2])] - origin, p[std::size_t(t[3])] - origin));
 }
 
-/// Area across `direction` of a layer: of the polygon about it.
-double areaAcross(const LimbGrid& grid, std::span<const Vec3> layer, const Vec3& direction) {
+/// A layer's area, of the polygon about it, times the part of `along` across it: the volume it sweeps.
+double sweptVolume(const LimbGrid& grid, std::span<const Vec3> layer, const Vec3& along) {
     const std::size_t nx = std::size_t(grid.cells.x), ny = std::size_t(grid.cells.y), row = nx + 1;
     const Vec3 origin = layer[0];
     Vec3 twice(0);
@@ -63,17 +63,17 @@ double areaAcross(const LimbGrid& grid, std::span<const Vec3> layer, const Vec3&
     for (std::size_t j = 0; j < ny; ++j) edge(nx + row * j, nx + row * (j + 1));
     for (std::size_t i = nx; i > 0; --i) edge(i + row * ny, i - 1 + row * ny);
     for (std::size_t j = ny; j > 0; --j) edge(row * j, row * (j - 1));
-    return 0.5 * glm::dot(twice, direction);
+    return 0.5 * glm::dot(twice, along);
 }
 
-/// A layer's bone point with the corrections, and the bone's direction there.
+/// A layer's bone point with the corrections, and the derivative along the bone there.
 struct BonePoint {
-    Vec3 at, direction;
+    Vec3 at, along;
 };
 BonePoint bonePoint(const LimbShape& shape, const EndCorrection& start, const EndCorrection& end, double w) {
     const Vec3 at = shape.bone(w) + start.atBone * start.weight(w) + end.atBone * end.weight(1 - w);
     const Vec3 along = shape.boneEnd - shape.boneStart + start.atBone * start.slope(w) - end.atBone * end.slope(1 - w);
-    return {at, glm::normalize(along)};
+    return {at, along};
 }
 
 }  // namespace
@@ -188,11 +188,11 @@ std::vector<double> layerScales(const LimbMotion& limb, const LimbGrid& grid, co
     std::vector<double> scales;
     for (int k = 0; k <= grid.cells.z; ++k) {
         const double w = double(k) / grid.cells.z;
-        const auto area = [&](std::span<const Vec3> positions, const BonePoint& bone) {
-            return areaAcross(grid, positions.subspan(std::size_t(k) * layer, layer), bone.direction);
+        const auto volume = [&](std::span<const Vec3> positions, const BonePoint& bone) {
+            return sweptVolume(grid, positions.subspan(std::size_t(k) * layer, layer), bone.along);
         };
-        const double before = area(rest, bonePoint(limb.rest, none, none, w));
-        const double after = area(posed, bonePoint(limb.posed, start, end, w));
+        const double before = volume(rest, bonePoint(limb.rest, none, none, w));
+        const double after = volume(posed, bonePoint(limb.posed, start, end, w));
         if (!(before > 0)) {
             scales.push_back(1);
             continue;

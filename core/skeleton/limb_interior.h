@@ -57,8 +57,8 @@ void fillTrilinear(const LimbShape& shape, const LimbGrid& grid, std::span<Vec3>
 /// nine tenths of its volume by it.
 void addCorrection(const LimbGrid& grid, EndCorrection& correction, bool atEnd, std::span<Vec3> positions);
 
-/// By which each layer must be scaled about the bone so that its area across the bone's own direction is as at rest;
-/// between 1/4 and 4. `start`, `end`: the corrections added.
+/// By which each layer must be scaled about the bone so that it keeps its volume: its area times the bone's derivative
+/// across it is as at rest; between 1/4 and 4. `start`, `end`: the corrections added.
 std::vector<double> layerScales(const LimbMotion& limb, const LimbGrid& grid, const EndCorrection& start,
                                 const EndCorrection& end, std::span<const Vec3> rest, std::span<const Vec3> posed);
 

@@ -175,7 +175,7 @@ void RegionBuilder::preserveVolume() {
     std::vector<std::vector<double>> scales(limbs_.size());
     for (std::size_t l = 0; l < limbs_.size(); ++l)
         scales[l] = layerScales(motions_[l], grid_, starts_[l], ends_[l], sources_[l], deformed_[l]);
-    // The bone's direction, and so the area, may jump at a face: both sides come to the mean of what they need.
+    // Without smoothing the bone's derivative jumps at a face: both sides come to the mean of what they need.
     const auto bring = [&](std::vector<double>& of, bool atEnd, double to) {
         const double ratio = to / (atEnd ? of.back() : of.front());
         for (int k = 0; k <= grid_.cells.z; ++k) {

@@ -28,7 +28,7 @@ struct RegionOptions {
     Index3 cells{4, 4, 10};       // subdivision of each limb: across x, across y, along the bone; ≥ 1 each
     double miterLimit = 2;        // ≥ 1: mitred corners reach at most so many times as far as straight ones
     bool smooth = true;           // bends are C¹ across joints; else each region is the bare hexahedron
-    bool preserveVolume = false;  // sections are scaled so that they keep their area
+    bool preserveVolume = false;  // sections are scaled so that they keep their volume where limbs twist or stretch
     std::vector<bool> disjoint;   // of each joint; empty: all connected
 };
 

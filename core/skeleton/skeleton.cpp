@@ -171,7 +171,7 @@ Pose interpolated(const Pose& a, const Pose& b, double s) {
     pose.translate.reserve(a.translate.size());
     for (std::size_t j = 0; j < a.rotate.size(); ++j) pose.rotate.push_back(slerped(a.rotate[j], b.rotate[j], s));
     for (std::size_t j = 0; j < a.translate.size(); ++j)
-        pose.translate.push_back((1 - s) * a.translate[j] + s * b.translate[j]);
+        pose.translate.push_back(s == 1 ? b.translate[j] : a.translate[j] + s * (b.translate[j] - a.translate[j]));
     return pose;
 }
 
