@@ -70,6 +70,14 @@ double legsAt(const OpaqueVoxels& voxels, const Extent& e, int left, int axis, d
     return best / 5;
 }
 
+/// +1 or −1: where along `axis` the highest part is, a quadruped's head.
+double headSign(const OpaqueVoxels& voxels, const Extent& e, int upAxis, double up, int axis) {
+    const auto [low, high] = slab(e, upAxis, up, 0.85, 1);
+    double sum = 0, count = 0;
+    eachOpaque(voxels, low, high, [&](const Index3& c) { sum += c[axis], ++count; });
+    return count > 0 && sum / count < 0.5 * (e.low[axis] + e.high[axis]) ? -1 : 1;
+}
+
 /// +1 or −1: where along `axis` the feet reach farther from the ankles.
 double frontSign(const OpaqueVoxels& voxels, const Extent& e, int upAxis, double up, int axis) {
     const auto mean = [&](double a, double b) {
@@ -157,7 +165,7 @@ BodyFrame bodyFrame(const OpaqueVoxels& voxels, bool fourLegs) {
     BodyFrame frame;
     frame.axes = Mat3(0.0);
     frame.axes[1][up] = sign;
-    frame.axes[2][front] = frontSign(voxels, e, up, sign, front);
+    frame.axes[2][front] = fourLegs ? headSign(voxels, e, up, sign, front) : frontSign(voxels, e, up, sign, front);
     frame.axes[0] = glm::cross(frame.axes[1], frame.axes[2]);
     return frame;
 }

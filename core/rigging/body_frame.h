@@ -11,7 +11,8 @@ struct BodyFrame {
 };
 
 /// Left and right lie along the axis across which the body mirrors itself best; up is the one of the other two whose
-/// ends show legs (parts that stand apart, mirrored or in two pairs) at the bottom; front is where the feet point to.
+/// ends show legs (parts that stand apart, mirrored or in two pairs) at the bottom; front is where the feet point to;
+/// with `fourLegs`, where the highest part is, the head.
 /// Where the shape does not tell: up is the longer axis (a biped's) or the shorter one (`fourLegs`), front is positive.
 BodyFrame bodyFrame(const OpaqueVoxels& voxels, bool fourLegs);
 

@@ -4,9 +4,12 @@
 
 #include "core/base/error.h"
 #include "core/rigging/biped.h"
+#include "core/rigging/biped_joints.h"
 #include "core/rigging/body_frame.h"
 #include "core/rigging/body_shape.h"
+#include "core/rigging/chain.h"
 #include "core/rigging/limb_boxes.h"
+#include "core/rigging/quadruped.h"
 
 namespace voledit {
 
@@ -14,6 +17,35 @@ namespace {
 
 constexpr std::pair<RigTemplate, const char*> kNames[] = {
     {RigTemplate::Biped, "biped"}, {RigTemplate::Quadruped, "quadruped"}, {RigTemplate::Chain, "chain"}};
+
+void requireSome(const OpaqueVoxels& voxels) {
+    if (voxels.count() == 0)
+        throw Error("rig", "nothing of the object is opaque, so there is nothing to lay a skeleton into",
+                    "check its appearance");
+}
+
+BodyShape shapeOf(const OpaqueVoxels& voxels, const BodyFrame& frame, const RigOptions& options) {
+    return {turned(voxels, frame), options.thinness};
+}
+
+/// Skeleton and limbs without boxes.
+Rig rigIn(const OpaqueVoxels& voxels, RigTemplate rig, const RigOptions& options) {
+    const BodyFrame frame = rig == RigTemplate::Chain ? BodyFrame{} : bodyFrame(voxels, rig == RigTemplate::Quadruped);
+    const BodyShape body = shapeOf(voxels, frame, options);
+    Rig result;
+    if (rig == RigTemplate::Biped) {
+        result.skeleton = bipedIn(body);
+        result.limbs = bipedLimbs(result.skeleton);
+    } else if (rig == RigTemplate::Quadruped) {
+        result.skeleton = quadrupedIn(body);
+        result.limbs = quadrupedLimbs(result.skeleton);
+    } else {
+        result.skeleton = chainIn(body, options.chain);
+        result.limbs = chainLimbs(result.skeleton);
+    }
+    result.skeleton = laidInto(result.skeleton, Mat4(frame.axes));
+    return result;
+}
 
 }  // namespace
 
@@ -29,20 +61,23 @@ const char* nameOf(RigTemplate rig) {
     return "";
 }
 
-Rig fittedRig(const OpaqueVoxels& voxels, RigTemplate, const RigOptions& options) {
-    if (voxels.count() == 0)
-        throw Error("rig", "nothing of the object is opaque, so there is nothing to lay a skeleton into",
-                    "check its appearance");
-    const BodyFrame frame = bodyFrame(voxels, false);
-    const BodyShape body(turned(voxels, frame), options.thinness);
-    Rig rig;
-    rig.skeleton = laidInto(bipedIn(body), Mat4(frame.axes));
-    rig.limbs = bipedLimbs(rig.skeleton);
-    const auto rest = posedJoints(rig.skeleton, restPose(rig.skeleton));
+RigTemplate suitedTemplate(const OpaqueVoxels& voxels, const RigOptions& options) {
+    requireSome(voxels);
+    const BodyShape four = shapeOf(voxels, bodyFrame(voxels, true), options);
+    if (fourFeet(four)) return RigTemplate::Quadruped;
+    const BipedPaths paths = bipedPaths(shapeOf(voxels, bodyFrame(voxels, false), options));
+    const auto isThere = [](const std::array<MedialPath, 2>& pair) { return !pair[0].empty() && !pair[1].empty(); };
+    return isThere(paths.leg) && isThere(paths.arm) ? RigTemplate::Biped : RigTemplate::Chain;
+}
+
+Rig fittedRig(const OpaqueVoxels& voxels, RigTemplate rig, const RigOptions& options) {
+    requireSome(voxels);
+    Rig fitted = rigIn(voxels, rig, options);
+    const auto rest = posedJoints(fitted.skeleton, restPose(fitted.skeleton));
     const OpaqueVoxels solid = withoutCavities(voxels);
-    const auto rims = rimsOf(solid, limbParts(solid, distanceField(solid), rig.limbs, rest), rig.limbs.size());
-    rig.limbs = fittedLimbs(voxels, rest, alignedRolls(rig.limbs, rest, rims), {}, options);
-    return rig;
+    const auto rims = rimsOf(solid, limbParts(solid, distanceField(solid), fitted.limbs, rest), fitted.limbs.size());
+    fitted.limbs = fittedLimbs(voxels, rest, alignedRolls(fitted.limbs, rest, rims), {}, options);
+    return fitted;
 }
 
 }  // namespace voledit

@@ -26,6 +26,10 @@ struct RigOptions {
     double margin = 1;      // cells that regions reach beyond the opaque ones
 };
 
+/// The template that the shape suits: a biped where two legs and two arms are found on both sides of a trunk, a
+/// quadruped where it stands on four legs, else a chain.
+RigTemplate suitedTemplate(const OpaqueVoxels& voxels, const RigOptions& options = {});
+
 /// The template laid in: first by bounds (which axis is up, which is front are found from the shape), then joints moved
 /// to the curve skeleton: branch points (neck, shoulders, hips), extremities (head, hands, feet) and bends between.
 /// Biped has 24 limbs (Hips, Spine, Spine1, Spine2, Neck, Head, Left/Right UpLeg, Leg, Foot, ToeBase, Shoulder, Arm,
