@@ -12,7 +12,7 @@ void Actions::add(Action action) {
         const auto named = chordNamed(action.shortcut);
         if (!named) throw Error("action " + action.id, "\"" + action.shortcut + "\" is no chord of keys", {});
         chord = *named;
-        if (const Action* other = ofShortcut(chord))
+        if (const Action* other = ofShortcut(chord, action.region))
             throw Error("action " + action.id, "its shortcut " + action.shortcut + " belongs to " + other->id, {});
     }
     if (find(action.id)) throw Error("action " + action.id, "is there already", {});
@@ -32,10 +32,11 @@ void Actions::run(const std::string& id, const std::string& argument) const {
     action->run(argument);
 }
 
-const Action* Actions::ofShortcut(const Chord& chord) const {
+const Action* Actions::ofShortcut(const Chord& chord, KeyRegion region) const {
     if (chord.key == Key::None) return nullptr;
-    const auto at = std::find(chords_.begin(), chords_.end(), chord);
-    return at == chords_.end() ? nullptr : &actions_[std::size_t(at - chords_.begin())];
+    for (std::size_t n = 0; n < actions_.size(); ++n)
+        if (chords_[n] == chord && actions_[n].region == region) return &actions_[n];
+    return nullptr;
 }
 
 std::string Actions::tooltip(const std::string& id) const {

@@ -9,11 +9,14 @@
 
 namespace voledit {
 
+/// Where the mouse must be for a shortcut to mean an action. One of a part goes before one of everywhere.
+enum class KeyRegion : unsigned char { Anywhere, Panels, Timeline };
+
 /// Something that the user can do by name.
 struct Action {
     std::string id;        // "edit.undo": group, dot, words joined by hyphens; unique
     std::string title;     // "Undo", as menus show it; "…" at its end where a dialog follows
-    std::string shortcut;  // "Ctrl+Z"; empty for none; unique among the actions
+    std::string shortcut;  // "Ctrl+Z"; empty for none; unique among the actions of a region
     std::string argument;  // what it takes, for the list of actions: "PATH", "on|off"; empty for nothing
     std::string help;      // one line for tooltips and the list of actions
     /// Does it. The argument is empty where none was given; file.open and its like then ask. Throws Error.
@@ -22,6 +25,8 @@ struct Action {
     std::function<bool()> enabled = {};
     /// For switches: true shows a tick; null: no switch.
     std::function<bool()> checked = {};
+    /// Where the shortcut holds.
+    KeyRegion region = KeyRegion::Anywhere;
 
     bool isEnabled() const { return !enabled || enabled(); }
 };
@@ -35,8 +40,8 @@ public:
     const Action* find(const std::string& id) const;
     /// Runs it. Throws Error where there is none of that id, where it is not enabled, and what it throws itself.
     void run(const std::string& id, const std::string& argument = {}) const;
-    /// The action of that shortcut, enabled or not; null where there is none.
-    const Action* ofShortcut(const Chord& chord) const;
+    /// The action of that shortcut in that very region, enabled or not; null where there is none.
+    const Action* ofShortcut(const Chord& chord, KeyRegion region = KeyRegion::Anywhere) const;
 
     /// In the order they were added.
     const std::vector<Action>& all() const { return actions_; }

@@ -9,15 +9,19 @@
 #include <new>
 #include <utility>
 
+#include "app/editor/actor_actions.h"
 #include "app/editor/add_actions.h"
+#include "app/editor/event_words.h"
 #include "app/editor/locate.h"
+#include "app/editor/motion_import.h"
 #include "app/editor/node_actions.h"
 #include "app/editor/theme.h"
+#include "app/editor/timeline/key_row.h"
+#include "app/editor/timeline/timeline_actions.h"
 #include "app/editor/tools/node_overlay.h"
 #include "app/editor/tools/tool_actions.h"
 #include "core/base/error.h"
 #include "core/scene/edits.h"
-#include "core/scene/scene_at.h"
 
 namespace voledit {
 
@@ -74,7 +78,7 @@ bool belongsToTextField(const Chord& chord) {
 }  // namespace
 
 Editor::Editor(const EditorSettings& settings, IoClient& io)
-    : context_(ImGui::CreateContext()), files_(workspace_, io, settings.open), panels_(makePanels()) {
+    : io_(io), context_(ImGui::CreateContext()), files_(workspace_, io, settings.open), panels_(makePanels()) {
     makeCurrent();
     ImGuiIO& imgui = ImGui::GetIO();
     imgui.IniFilename = nullptr;
@@ -93,9 +97,11 @@ Editor::Editor(const EditorSettings& settings, IoClient& io)
     addFileActions();
     addEditActions();
     addToolActions(workspace_.actions, workspace_, tools_);
+    addActorActions(workspace_.actions, workspace_, job_, [this](const std::string& path) { importMotion(path); });
+    addPoseActions(workspace_.actions, workspace_, tools_);
     addNodeActions(workspace_.actions, workspace_);
     addAddActions(workspace_.actions, workspace_, [this] { files_.chooseFormulaFile(); });
-    addTimeActions();
+    addTimelineActions(workspace_.actions, workspace_);
     addViewActions();
     addLookActions();
 }
@@ -126,24 +132,33 @@ void Editor::frame(const FrameInput& input) {
     }
     queue_.push(input.events);
     const std::vector<InputEvent> events = queue_.takeFrame();
-    if (recorder_) recorder_->frame(events, input.seconds);
+    const bool played = workspace_.timeline.playback.playing();
+    if (recorder_) recorder_->frame(events, input.seconds, played);
     workspace_.clock += input.seconds;
 
     window_ = glm::max(input.size, Index2(1));
-    animated_ = workspace_.open && animated(workspace_.document.scene());
-    layout_ = layoutOf(window_, workspace_.scale, animated_);
+    // Before what starts it: what has passed until now was not played.
+    advanceTime(workspace_, input.seconds);
+    TimelineState& timeline = workspace_.timeline;
+    timeline.shown = workspace_.open && timeline.wanted.value_or(changesOverTime(workspace_));
+    layout_ = layoutOf(window_, workspace_.scale, timeline.shown ? timeline.height : 0);
     workspace_.viewOrigin = layout_.view.origin;
     workspace_.viewSize = layout_.view.size;
     // Before what was loaded is taken over: Escape in the frame in which loading ended still stops it.
-    if (std::find(events.begin(), events.end(), InputEvent::stroke(Key::Escape, true)) != events.end())
+    if (std::find(events.begin(), events.end(), InputEvent::stroke(Key::Escape, true)) != events.end()) {
         files_.cancelLoading();
+        job_.cancel();
+    }
     if (files_.poll() && recorder_) recorder_->loaded();
+    finishJobs();
 
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(float(window_.x), float(window_.y));
     io.DeltaTime = float(std::max(input.seconds, 1e-4));
     feedImGui(events);
     ImGui::NewFrame();
+    timeline.hovered = fieldAt(timeline, Vec2(io.MousePos.x, io.MousePos.y));
+    timeline.fields.clear();
     const auto guarded = [&](auto&& work) {
         try {
             work();
@@ -156,13 +171,19 @@ void Editor::frame(const FrameInput& input) {
     guarded([&] { dispatch(events); });
     if (input.close) guarded([&] { files_.quit(); });
     drawInterface();
+    guarded([&] { runKeyRequest(workspace_); });
     endPendingEdit();
+    // Frames of a recording are no exact clock: where it stopped is said.
+    if (recorder_ && played && !timeline.playback.playing())
+        recorder_->action("timeline.goto", numberText(workspace_.time));
     guarded([&] { settleSelection(workspace_); });
     refreshFormulaFiles(false);
     compileScene();
+    updateActors();
     overlay_ = {};
     if (workspace_.open && workspace_.overlays)
         guarded([&] {
+            tools_.joints().fillOverlay(toolContext(workspace_), overlay_);
             tools_.lattice().fillOverlay(toolContext(workspace_), overlay_);
             appendNode(workspace_.document.scene(), workspace_.selection.node, workspace_.time, workspace_.scale,
                        overlay_);
@@ -186,7 +207,11 @@ void Editor::dispatch(const std::vector<InputEvent>& events) {
                 if (event.down && !isModifier(event.key)) dispatchKey(event.key);
                 break;
             case InputEvent::Kind::Drop:
-                if (!files_.loading()) files_.open(event.text);
+                if (files_.loading()) break;
+                if (isMotionFile(event.text))
+                    workspace_.actions.run("actor.import-motion", event.text);
+                else
+                    files_.open(event.text);
                 break;
             case InputEvent::Kind::Text:
                 break;
@@ -200,7 +225,7 @@ void Editor::dispatchPointer(const InputEvent& event) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     pointer.at = Vec2(mouse.x, mouse.y) - Vec2(workspace_.viewOrigin);
     pointer.modifiers = modifiersNow();
-    const bool ours = hovered_ || tools_.capturing() || tools_.lattice().moving();
+    const bool ours = hovered_ || tools_.capturing() || tools_.moving();
     switch (event.kind) {
         case InputEvent::Kind::Move:
             pointer.at = event.at - Vec2(workspace_.viewOrigin);
@@ -244,14 +269,28 @@ void Editor::dispatchKey(Key key) {
     runShortcut(chord);
 }
 
+// Without a timeline there is nothing but the tree to step through.
+KeyRegion Editor::regionOfMouse() const {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const Vec2 at(mouse.x, mouse.y);
+    if (!workspace_.timeline.shown || layout_.panels.contains(at)) return KeyRegion::Panels;
+    return layout_.time.contains(at) ? KeyRegion::Timeline : KeyRegion::Anywhere;
+}
+
 void Editor::runShortcut(const Chord& chord) {
-    const Action* action = workspace_.actions.ofShortcut(chord);
+    const Actions& actions = workspace_.actions;
+    const KeyRegion region = regionOfMouse();
+    Chord meant = chord;
     // Blender's second key for it.
-    if (chord == Chord{Key::X}) action = workspace_.actions.find("node.delete");
+    if (chord == Chord{Key::X}) meant.key = Key::Delete;
+    const auto lookUp = [&] {
+        const Action* here = actions.ofShortcut(meant, region);
+        return here ? here : actions.ofShortcut(meant);
+    };
+    const Action* action = lookUp();
     if (!action) {
-        Chord plain = chord;
-        plain.key = withoutKeypad(chord.key);
-        action = workspace_.actions.ofShortcut(plain);
+        meant.key = withoutKeypad(chord.key);
+        action = lookUp();
     }
     if (action && action->isEnabled()) action->run({});
 }
@@ -287,6 +326,16 @@ void Editor::drawnBy(const std::string& renderer, const std::string& slicesProbl
     slicesProblem_ = slicesProblem;
 }
 
+std::optional<double> Editor::playedFrame() const {
+    if (!workspace_.timeline.playback.playing()) return std::nullopt;
+    return 1 / workspace_.document.scene().timeline.fps;
+}
+
+double Editor::untilNextFrame() const {
+    if (!workspace_.timeline.playback.playing()) return kInfinity;
+    return workspace_.timeline.playback.untilNext(workspace_.document.scene().timeline);
+}
+
 // ---- What follows from the edits ----------------------------------------------------------------------------------
 
 // An edit whose widget is gone: as if its field had been left.
@@ -318,6 +367,7 @@ void Editor::compileScene() {
     if (!workspace_.open) return;
     Scene scene = workspace_.document.scene();
     scene.camera = workspace_.camera;
+    if (const auto actor = actorAtRest()) scene = atRest(std::move(scene), actor->path);
     if (compiledFrom_ && *compiledFrom_ == scene && workspace_.compiled.time == workspace_.time) return;
     compiledFrom_ = scene;
     const double aspect = double(workspace_.viewSize.x) / workspace_.viewSize.y;

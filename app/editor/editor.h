@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/actor_analysis.h"
+#include "app/editor/background.h"
 #include "app/editor/files.h"
 #include "app/editor/input_queue.h"
 #include "app/editor/layout.h"
@@ -14,6 +16,7 @@
 #include "app/editor/panel.h"
 #include "app/editor/places.h"
 #include "app/editor/recorder.h"
+#include "app/editor/timeline/timeline_panel.h"
 #include "app/editor/tools/viewport_tools.h"
 #include "app/editor/widget_places.h"
 #include "app/editor/workspace.h"
@@ -59,8 +62,14 @@ public:
     Workspace& workspace() { return workspace_; }
     const Workspace& workspace() const { return workspace_; }
     Files& files() { return files_; }
-    /// True while the picture moves under the user's hand: draw fast rather than fine.
-    bool moving() const { return tools_.active(); }
+    /// The length of a frame while the timeline plays, seconds; pictures then keep to it, and are not refined.
+    std::optional<double> playedFrame() const;
+    /// How long a window may sleep, seconds, because nothing changes before; infinite where nothing plays.
+    double untilNextFrame() const;
+    /// True while work at the user's wish goes on in the background.
+    bool working() const { return job_.running(); }
+    /// Blocks until it is done; the next frame takes it over.
+    void waitForWork() { job_.wait(); }
     bool inputWaits() const { return !queue_.empty(); }
     bool finished() const { return files_.quitConfirmed(); }
     /// Makes the interface of another size, from the next frame on.
@@ -91,24 +100,31 @@ private:
     void dispatchPointer(const InputEvent& event);
     void dispatchKey(Key key);
     void runShortcut(const Chord& chord);
+    KeyRegion regionOfMouse() const;
     void drawInterface();
     void drawMenus();
     void drawViewport();
     void drawPanels();
     void drawStatus();
     void drawShortcuts();
+    void drawJob(const PixelRect& area);
+    void drawHoveredJoint();
+    void drawBesideMouse(const std::string& text);
     void endGestures();
     void endPendingEdit();
     void compileScene();
     void refreshFormulaFiles(bool always);
-    void drawTimeBar();
+    void importMotion(const std::string& path);
+    void finishJobs();
+    void updateActors();
+    std::shared_ptr<const CompiledActor> actorAtRest() const;
     void addFileActions();
     void addEditActions();
     void addViewActions();
     void addLookActions();
-    void addTimeActions();
     std::string volumeLine() const;
 
+    IoClient& io_;
     ImGuiContext* context_;
     WidgetPlaces widgets_;
     Workspace workspace_;
@@ -117,7 +133,11 @@ private:
     std::vector<Panel> panels_;
     InputQueue queue_;
     Recorder* recorder_ = nullptr;
+    Background job_;        // one at a time, at the user's wish
+    double jobSince_ = -1;  // editor time when it began; below 0: none
+    ActorAnalysis analysis_;
     NoticeList noticeList_;
+    TimelinePanel timeline_;
     Layout layout_;
     Index2 window_{1, 1};
     Overlay overlay_;
@@ -129,7 +149,6 @@ private:
     std::optional<Scene> compiledFrom_;
     std::optional<Scene> filesOf_;  // the scene whose formula files were looked at last, and when
     double filesLookedAt_ = 0;
-    bool animated_ = false;  // the scene has tracks
 };
 
 }  // namespace voledit

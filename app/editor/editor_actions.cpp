@@ -128,31 +128,12 @@ void Editor::addViewActions() {
                  [this](const std::string&) { showShortcuts_ = true; }});
 }
 
-void Editor::addTimeActions() {
-    Actions& actions = workspace_.actions;
-    const auto open = [this] { return workspace_.open; };
-    actions.add({"timeline.goto", "Go to Time…", "", "SECONDS", "Shows the scene at a time",
-                 [this](const std::string& argument) {
-                     workspace_.time = numberArgument("timeline.goto", argument, -1e6, 1e6);
-                 },
-                 open});
-    const auto jump = [this](bool end) {
-        const Timeline& timeline = workspace_.document.scene().timeline;
-        const int frame = end ? std::max(timeline.start, timeline.end - 1) : timeline.start;
-        workspace_.time = frame / timeline.fps;
-    };
-    actions.add({"timeline.start", "Go to Start", "Shift+Left", "", "Shows the first frame",
-                 [jump](const std::string&) { jump(false); }, open});
-    actions.add({"timeline.end", "Go to End", "Shift+Right", "", "Shows the last frame",
-                 [jump](const std::string&) { jump(true); }, open});
-    actions.add({"transfers.reload", "Reload Formula Files", "F5", "",
-                 "Reads the scene's formula files (.stf) again; they are also watched",
-                 [this](const std::string&) { refreshFormulaFiles(true); }, open});
-}
-
 void Editor::addLookActions() {
     Actions& actions = workspace_.actions;
     const auto open = [this] { return workspace_.open; };
+    actions.add({"transfers.reload", "Reload Formula Files", "F5", "",
+                 "Reads the scene's formula files (.stf) again; they are also watched",
+                 [this](const std::string&) { refreshFormulaFiles(true); }, open});
     actions.add({"view.renderer", "Renderer", "", "slices|rays|auto",
                  "Draws by OpenGL slices, by rays on the CPU, or by the faster of both",
                  [this](const std::string& argument) { workspace_.renderer = rendererNamed(argument); }});

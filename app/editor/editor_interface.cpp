@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/actor_actions.h"
 #include "app/editor/add_menu.h"
 #include "app/editor/editor.h"
 #include "app/editor/icons.h"
@@ -89,7 +90,7 @@ void Editor::drawInterface() {
     guarded([&] { drawViewport(); });
     guarded([&] { drawMenus(); });
     guarded([&] { drawPanels(); });
-    if (animated_) guarded([&] { drawTimeBar(); });
+    if (workspace_.timeline.shown) guarded([&] { timeline_.draw(workspace_, layout_.time); });
     guarded([&] { drawAddPopup(workspace_); });
     guarded([&] { drawStatus(); });
     // Without overlays nothing may stand over the picture.
@@ -97,6 +98,7 @@ void Editor::drawInterface() {
     guarded([&] { noticeList_.draw(workspace_, aside); });
     guarded([&] { drawShortcuts(); });
     guarded([&] { files_.draw(aside); });
+    guarded([&] { drawJob(aside); });
 }
 
 void Editor::drawViewport() {
@@ -126,17 +128,26 @@ void Editor::drawViewport() {
             list.AddRectFilled(low, high, packed(theme::kAccent, 0.12f));
             list.AddRect(low, high, packed(theme::kAccent, 0.9f), 0, 0, std::max(1.0f, workspace_.scale));
         }
-        if (const std::string text = tools_.lattice().readout(); !text.empty() && workspace_.overlays) {
-            const ImVec2 size = ImGui::CalcTextSize(text.c_str()), mouse = ImGui::GetIO().MousePos;
-            const float pad = 5 * workspace_.scale, gap = 18 * workspace_.scale;
-            const float x = std::clamp(mouse.x + gap, min.x + pad, std::max(min.x + pad, max.x - size.x - pad));
-            const float y = std::clamp(mouse.y + gap, min.y + pad, std::max(min.y + pad, max.y - size.y - pad));
-            list.AddRectFilled(ImVec2(x - pad, y - pad), ImVec2(x + size.x + pad, y + size.y + pad),
-                               packed(withAlpha(theme::kHeader, 0.9f)), 4 * workspace_.scale);
-            list.AddText(ImVec2(x, y), packed(theme::kText), text.c_str());
-        }
+        if (workspace_.overlays) drawBesideMouse(tools_.readout());
+        drawHoveredJoint();
     }
     ImGui::End();
+}
+
+// A few words that go with the mouse within the viewport.
+void Editor::drawBesideMouse(const std::string& text) {
+    if (text.empty()) return;
+    const PixelRect& view = layout_.view;
+    const ImVec2 min(float(view.origin.x), float(view.origin.y));
+    const ImVec2 max(min.x + float(view.size.x), min.y + float(view.size.y));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str()), mouse = ImGui::GetIO().MousePos;
+    const float pad = 5 * workspace_.scale, gap = 18 * workspace_.scale;
+    const float x = std::clamp(mouse.x + gap, min.x + pad, std::max(min.x + pad, max.x - size.x - pad));
+    const float y = std::clamp(mouse.y + gap, min.y + pad, std::max(min.y + pad, max.y - size.y - pad));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(ImVec2(x - pad, y - pad), ImVec2(x + size.x + pad, y + size.y + pad),
+                       packed(withAlpha(theme::kHeader, 0.9f)), 4 * workspace_.scale);
+    list.AddText(ImVec2(x, y), packed(theme::kText), text.c_str());
 }
 
 void Editor::drawMenus() {
@@ -159,7 +170,7 @@ void Editor::drawMenus() {
               "node.delete", "-", "select.all", "select.none", "select.invert", "select.box"});
         menu(actions, "View",
              {"view.frame", "-", "view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom", "-",
-              "view.overlays", "view.shading"},
+              "view.overlays", "view.regions", "view.coverage", "view.shading", "view.timeline"},
              [&] {
                  static const std::array<std::pair<std::string, std::string>, 3> kRenderers{
                      {{"auto", "Automatic"}, {"slices", "Slices (OpenGL)"}, {"rays", "Rays (CPU)"}}};
@@ -173,6 +184,19 @@ void Editor::drawMenus() {
         menu(actions, "Add", {}, [&] { drawAddMenu(workspace_); });
         menu(actions, "Lattice",
              {"lattice.add", "lattice.remove", "-", "lattice.enable", "lattice.reset", "-", "tool.grab"});
+        menu(actions, "Actor",
+             {"actor.import-motion", "actor.clear-motion", "-", "rig.edit", "rig.fit", "-", "tool.rotate",
+              "joint.clear-rotation", "joint.disjoint", "-", "pose.copy", "pose.paste", "pose.paste-mirrored",
+              "pose.mirror", "pose.clear", "pose.save"},
+             [&] {
+                 static const std::array<std::pair<std::string, std::string>, 3> kTemplates{
+                     {{"biped", "Biped"}, {"quadruped", "Quadruped"}, {"chain", "Chain"}}};
+                 static const std::array<std::pair<std::string, std::string>, 2> kModes{
+                     {{"connected", "Connected"}, {"disjoint", "Disjoint"}}};
+                 ImGui::Separator();
+                 choiceMenu(actions, "Auto-rig", "actor.rig", kTemplates, "");
+                 choiceMenu(actions, "Mode", "actor.mode", kModes, actorMode(workspace_));
+             });
         menu(actions, "Volume", {}, [&] {
             std::vector<std::pair<std::string, std::string>> looks{{"grey-ramp", "Grey ramp"}};
             for (const Preset& preset : presets()) looks.emplace_back(preset.name, preset.title);
@@ -211,35 +235,6 @@ void Editor::drawPanels() {
     ImGui::End();
 }
 
-void Editor::drawTimeBar() {
-    place(layout_.time);
-    const float height = float(layout_.time.size.y), scale = workspace_.scale;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    const float pad = std::floor(0.5f * (height - ImGui::GetFrameHeight()));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10 * scale, std::max(0.0f, pad)));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(theme::kPanel));
-    ImGui::Begin("##time", nullptr, kFixed);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
-    const WidgetScope scope("Timeline");
-    const Timeline& timeline = workspace_.document.scene().timeline;
-    const double start = timeline.start / timeline.fps, end = std::max(start, (timeline.end - 1) / timeline.fps);
-    std::array<char, 64> text;
-    std::snprintf(text.data(), text.size(), "%.2f s   frame %.0f", workspace_.time,
-                  std::round(workspace_.time * timeline.fps));
-    const float label = ImGui::CalcTextSize("000.00 s   frame 0000").x + 8 * scale;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text.data());
-    ImGui::SameLine(label + 10 * scale);
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    NumberFormat format{start, std::max(end, start + 1e-3), 0, 2, " s"};
-    double time = workspace_.time;
-    if (ui::slider("##Time", time, format, "Time on the scene's clock (timeline.goto)").changed) workspace_.time = time;
-    noteWidget("Time");
-    ImGui::End();
-}
-
 std::string Editor::volumeLine() const {
     if (!workspace_.open || workspace_.assets.volumes.empty()) return {};
     const auto& [name, volume] = *workspace_.assets.volumes.begin();
@@ -274,8 +269,7 @@ void Editor::drawStatus() {
     }
     const float width = ImGui::CalcTextSize(right.c_str()).x, all = ImGui::GetWindowContentRegionMax().x;
     std::string hint = workspace_.open ? tools_.hint(toolContext(workspace_)) : "Ctrl+O: open  ·  F1: keys";
-    if (const std::string text = tools_.lattice().readout(); !text.empty() && !workspace_.overlays)
-        hint = text + "  ·  " + hint;
+    if (const std::string text = tools_.readout(); !text.empty() && !workspace_.overlays) hint = text + "  ·  " + hint;
     const float space = all - width - 24 * workspace_.scale;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     // The hint gives way: what does not fit ends in dots.

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "app/editor/keys.h"
+#include "app/editor/motion_import.h"
+#include "app/editor/progress_box.h"
 #include "app/editor/theme.h"
 #include "app/editor/widgets.h"
 #include "core/base/error.h"
@@ -77,6 +79,10 @@ void Files::chooseFormulaFile() {
     ask(Asking::FormulaFile);
 }
 
+void Files::chooseMotion() {
+    ask(Asking::Motion);
+}
+
 void Files::quit() {
     afterUnsavedChanges([this] { quit_ = true; });
 }
@@ -105,6 +111,10 @@ void Files::ask(Asking what) {
         request.title = "Formula file";
         request.button = "Add";
         request.kinds = FileKinds::Formulas;
+    } else if (what == Asking::Motion) {
+        request.title = "Import motion";
+        request.button = "Import";
+        request.kinds = FileKinds::Motions;
     } else {
         request.mode = FileBrowser::Mode::Save;
         request.title = what == Asking::SaveAs ? "Save as" : "Screenshot";
@@ -133,6 +143,8 @@ void Files::chosen(const fs::path& path) {
             return;
         case Asking::FormulaFile:
             return workspace_.actions.run("transfer.add-file", path.string());
+        case Asking::Motion:
+            return workspace_.actions.run("actor.import-motion", path.string());
         case Asking::Nothing:
             return;
     }
@@ -184,8 +196,10 @@ void Files::takeOver(Loader::Result result) {
     workspace_.problem.clear();
     workspace_.folder = opened.folder;
     workspace_.selection = {};
+    workspace_.actors = {};
     workspace_.camera = compiled.camera;
     workspace_.time = time;
+    workspace_.timeline = withoutScene(workspace_.timeline);
     workspace_.compiled = std::move(compiled);
     for (const std::string& warning : opened.warnings) workspace_.notify(Notice::Kind::Warning, warning);
 }
@@ -289,22 +303,9 @@ void Files::drawOutsideFiles() {
 void Files::drawProgress(const PixelRect& area) {
     // Files that open at once need no box that flashes up.
     if (!loading() || (!workspace_.headless && workspace_.clock - loadingSince_ < 0.25)) return;
-    const Vec2 center = Vec2(area.origin) + 0.5 * Vec2(area.size);
-    ImGui::SetNextWindowPos(ImVec2(float(std::round(center.x)), float(std::round(center.y))), ImGuiCond_Always,
-                            ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowSize(ImVec2(std::min(360 * workspace_.scale, float(area.size.x)), 0));
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, packed(withAlpha(theme::kHeader, 0.96f)));
-    if (ImGui::Begin("##loading", nullptr, flags)) {
-        const WidgetScope scope("Loading");
-        ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-        ImGui::TextUnformatted(("Opening " + loader_.path().filename().string()).c_str());
-        ImGui::ProgressBar(float(loader_.fraction()), ImVec2(-1, 0));
-        if (ui::button("Cancel", "Stops opening (Escape)")) cancelLoading();
-    }
-    ImGui::End();
-    ImGui::PopStyleColor();
+    if (drawProgressBox("Loading", "Opening " + loader_.path().filename().string(), loader_.fraction(), area,
+                        workspace_.scale))
+        cancelLoading();
 }
 
 }  // namespace voledit

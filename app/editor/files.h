@@ -29,6 +29,8 @@ public:
     void saveAs(const std::filesystem::path& path);
     /// Asks for a formula file and adds it: transfer.add-file.
     void chooseFormulaFile();
+    /// Asks for a motion file and lets it drive the actor: actor.import-motion.
+    void chooseMotion();
     /// Wants a picture of the whole window in a PNG; asks where `path` is empty.
     void screenshot(const std::filesystem::path& path);
     /// Leaves, after having asked about unsaved changes.
@@ -50,7 +52,7 @@ public:
     std::vector<std::filesystem::path> takeScreenshots();
 
 private:
-    enum class Asking : unsigned char { Nothing, Open, SaveAs, Screenshot, FormulaFile };
+    enum class Asking : unsigned char { Nothing, Open, SaveAs, Screenshot, FormulaFile, Motion };
     void ask(Asking what);
     void startLoading(const std::filesystem::path& path, bool allowOutside = false);
     void takeOver(Loader::Result result);

@@ -45,6 +45,7 @@ inline constexpr const char* kRecolor = "\xef\x81\x83";        // tint
 inline constexpr const char* kSequence = "\xef\x83\x8b";       // list-ol
 inline constexpr const char* kDisplace = "\xef\x83\xac";       // exchange
 inline constexpr const char* kSliders = "\xef\x87\x9e";        // sliders
+inline constexpr const char* kActor = "\xef\x86\xae";          // child
 inline constexpr const char* kFormulaFile = "\xef\x87\x89";    // file-code-o
 inline constexpr const char* kFields = "\xef\x83\x8e";         // table
 inline constexpr const char* kPictures = "\xef\x80\xbe";       // picture-o
@@ -53,6 +54,15 @@ inline constexpr const char* kTime = "\xef\x80\x97";           // clock-o
 inline constexpr const char* kReload = "\xef\x80\xa1";         // refresh
 inline constexpr const char* kDown = "\xef\x81\xa3";           // arrow-down
 inline constexpr const char* kText = "\xef\x80\xb1";           // font
+inline constexpr const char* kToStart = "\xef\x81\x89";        // fast-backward
+inline constexpr const char* kStepBack = "\xef\x81\x88";       // step-backward
+inline constexpr const char* kPlay = "\xef\x81\x8b";           // play
+inline constexpr const char* kPause = "\xef\x81\x8c";          // pause
+inline constexpr const char* kStepForward = "\xef\x81\x91";    // step-forward
+inline constexpr const char* kToEnd = "\xef\x81\x90";          // fast-forward
+inline constexpr const char* kLoop = "\xef\x81\xb9";           // retweet
+inline constexpr const char* kRecord = "\xef\x84\x91";         // circle
+inline constexpr const char* kKey = "\xef\x82\x84";            // key
 inline constexpr const char* kDrop = "\xef\x83\x97";           // caret-down
 
 }  // namespace voledit::icons

@@ -15,13 +15,13 @@ struct PixelRect {
     }
 };
 
-/// Menu on top, status bar at the bottom, panels at the right, the viewport in what is left; the time bar below it
-/// where the scene changes over time.
+/// Menu on top, status bar at the bottom, panels at the right, the viewport in what is left, the timeline below it.
 struct Layout {
     PixelRect menu, view, time, panels, status;
 };
 
-/// The layout of a window of `window` pixels, `scale` pixels a design pixel. Every size is at least 1.
-Layout layoutOf(Index2 window, float scale, bool timeBar = false);
+/// The layout of a window of `window` pixels, `scale` pixels a design pixel. Every size is at least 1. The timeline
+/// gets `timeHeight` design pixels, but leaves the viewport two fifths of the height; 0: none.
+Layout layoutOf(Index2 window, float scale, float timeHeight = 0);
 
 }  // namespace voledit

@@ -107,6 +107,13 @@ void deleteAction(Workspace& workspace) {
     settleSelection(workspace);
 }
 
+/// An actor has a name of its own, unless it is an entry of the scene's objects: then that is its name.
+bool isActor(const Scene& scene, const SceneRow& row) {
+    const Object* object = findObjectAt(scene, row.target);
+    return object && std::holds_alternative<ActorObject>(object->kind) &&
+           (row.target == kRootPath || !parentOf(scene, row.target).empty());
+}
+
 void renameAction(Workspace& workspace, const std::string& argument) {
     const SceneRow row = needRow(workspace, "node.rename");
     if (argument.empty()) {
@@ -124,6 +131,8 @@ void renameAction(Workspace& workspace, const std::string& argument) {
             target = transferPath(argument);
         } else if (row.kind == SceneRow::Kind::Transfer) {
             editTransferAt(scene, row.target, [&](Transfer& transfer) { transfer.name = argument; });
+        } else if (isActor(workspace.document.scene(), row)) {
+            editObjectAt(scene, row.target, [&](Object& object) { std::get<ActorObject>(object.kind).name = argument; });
         } else if (row.kind == SceneRow::Kind::Object && named) {
             renameObject(scene, row.name, argument);
             target = objectPath(argument);
@@ -141,13 +150,24 @@ void renameAction(Workspace& workspace, const std::string& argument) {
 bool canRename(const Workspace& workspace) {
     const auto row = selectedRow(workspace);
     if (!row) return false;
-    return row->kind == SceneRow::Kind::Transfer ||
+    return row->kind == SceneRow::Kind::Transfer || isActor(workspace.document.scene(), *row) ||
            (parentOf(workspace.document.scene(), row->target).empty() && row->target != kRootPath);
 }
 
 void enableAction(Workspace& workspace, const std::string& argument) {
     const SceneRow row = needRow(workspace, "node.enable");
     if (row.on) enableNode(workspace, row, switchArgument("node.enable", argument, *row.on));
+}
+
+/// Joints are selected of the actor that is selected, and of no other node; those it has lost are dropped.
+void settleJoints(Workspace& workspace, const std::string& target) {
+    std::vector<std::string>& joints = workspace.selection.joints;
+    if (joints.empty()) return;
+    const Object* object = findObjectAt(workspace.document.scene(), target);
+    if (!object || !std::holds_alternative<ActorObject>(object->kind)) joints.clear();
+    for (const auto& actor : workspace.compiled.actors)
+        if (actor->path == target)
+            std::erase_if(joints, [&](const std::string& name) { return actor->skeleton.find(name) < 0; });
 }
 
 std::optional<ListPlace> movable(const Workspace& workspace) {
@@ -176,15 +196,42 @@ void addSelectActions(Actions& actions, Workspace& workspace) {
     const auto any = [&workspace] { return !workspace.selection.node.empty(); };
     actions.add({"node.select", "Select Node…", "", "PATH", "Selects a node by its path or its name in the Scene panel",
                  [&](const std::string& argument) { selectAction(workspace, argument); }, open});
-    actions.add({"node.next", "Next Row", "Down", "", "Selects the next row of the scene's tree",
-                 [&](const std::string&) { step(workspace, 1); }, open});
-    actions.add({"node.previous", "Previous Row", "Up", "", "Selects the row before",
-                 [&](const std::string&) { step(workspace, -1); }, open});
-    actions.add({"node.open", "Open Row", "Right", "", "Shows what is below the selected row",
-                 [&](const std::string&) { openRow(workspace); }, any});
-    actions.add({"node.close", "Close Row", "Left", "",
+    actions.add({"node.next",
+                 "Next Row",
+                 "Down",
+                 "",
+                 "Selects the next row of the scene's tree",
+                 [&](const std::string&) { step(workspace, 1); },
+                 open,
+                 {},
+                 KeyRegion::Panels});
+    actions.add({"node.previous",
+                 "Previous Row",
+                 "Up",
+                 "",
+                 "Selects the row before",
+                 [&](const std::string&) { step(workspace, -1); },
+                 open,
+                 {},
+                 KeyRegion::Panels});
+    actions.add({"node.open",
+                 "Open Row",
+                 "Right",
+                 "",
+                 "Shows what is below the selected row",
+                 [&](const std::string&) { openRow(workspace); },
+                 any,
+                 {},
+                 KeyRegion::Panels});
+    actions.add({"node.close",
+                 "Close Row",
+                 "Left",
+                 "",
                  "Hides what is below the selected row, or goes up to its parent",
-                 [&](const std::string&) { closeRow(workspace); }, any});
+                 [&](const std::string&) { closeRow(workspace); },
+                 any,
+                 {},
+                 KeyRegion::Panels});
 }
 
 void addChangeActions(Actions& actions, Workspace& workspace) {
@@ -192,10 +239,12 @@ void addChangeActions(Actions& actions, Workspace& workspace) {
     actions.add({"node.rename", "Rename", "F2", "NAME", "Gives the selected node another name",
                  [&](const std::string& argument) { renameAction(workspace, argument); },
                  [&workspace] { return canRename(workspace); }});
-    // With control points selected the key must not take the whole lattice away.
+    // With control points or joints selected the key must not take the whole lattice or actor away.
     actions.add({"node.delete", "Delete", "Delete", "", "Takes the selected node away; also X",
                  [&](const std::string&) { deleteAction(workspace); },
-                 [&workspace, any] { return any() && workspace.selection.points.empty(); }});
+                 [&workspace, any] {
+                     return any() && workspace.selection.points.empty() && workspace.selection.joints.empty();
+                 }});
     actions.add({"node.enable", "Enable", "H", "on|off", "Switches the selected deformation on or off",
                  [&](const std::string& argument) { enableAction(workspace, argument); },
                  [&workspace] {
@@ -253,6 +302,7 @@ void settleSelection(Workspace& workspace) {
     if (lattice != selection.lattice) selection = {lattice, {}, selection.node};
     const std::size_t count = ffd ? std::size_t(ffd->points.x) * ffd->points.y * ffd->points.z : 0;
     std::erase_if(selection.points, [&](std::size_t point) { return point >= count; });
+    settleJoints(workspace, target);
 }
 
 void selectAndReveal(Workspace& workspace, const std::string& path) {

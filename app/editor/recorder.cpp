@@ -77,20 +77,22 @@ Recorder::~Recorder() {
 }
 
 void Recorder::writeFrames() {
-    const int count = int(std::lround(std::min(frames_, kLongestRest)));
-    frames_ = 0;
+    const int count = int(std::lround(std::min(frames_, std::max(played_, kLongestRest))));
+    frames_ = played_ = 0;
     if (count < 1) return;
     Event event;
     event.count = count;
     file_ << lineOf(event) << "\n" << std::flush;
 }
 
-void Recorder::frame(const std::vector<InputEvent>& events, double seconds) {
+void Recorder::frame(const std::vector<InputEvent>& events, double seconds, bool played) {
     if (!events.empty()) writeFrames();
     for (const InputEvent& event : events) file_ << lineOf(eventOf(event)) << "\n";
     if (!events.empty()) file_ << std::flush;
     // Every frame with input must be one in the replay too, however fast the screen is.
-    frames_ += events.empty() ? seconds * 60 : std::max(1.0, seconds * 60);
+    const double frames = events.empty() ? seconds * 60 : std::max(1.0, seconds * 60);
+    frames_ += frames;
+    if (played) played_ += frames;
 }
 
 void Recorder::action(const std::string& id, const std::string& argument) {

@@ -24,15 +24,15 @@ std::string lineOf(const RecordedWindow& window);
 std::optional<RecordedWindow> recordedWindow(const std::string& text);
 
 /// Writes lines as things happen; a crash loses nothing but the last frames. Real time becomes frames of 1/60 s, and a
-/// rest longer than two seconds becomes two seconds.
+/// rest longer than two seconds, in which nothing plays, becomes two seconds.
 class Recorder {
 public:
     /// Throws Error where the file cannot be written.
     Recorder(const std::filesystem::path& path, const RecordedWindow& window);
     ~Recorder();
 
-    /// One frame has been drawn with `events`, `seconds` after the one before.
-    void frame(const std::vector<InputEvent>& events, double seconds);
+    /// One frame has been drawn with `events`, `seconds` after the one before, in which the timeline played or not.
+    void frame(const std::vector<InputEvent>& events, double seconds, bool played = false);
     /// A named action was run by an event file.
     void action(const std::string& id, const std::string& argument);
     /// Loading has ended: a replay must wait for its own.
@@ -42,7 +42,8 @@ private:
     void writeFrames();
 
     std::ofstream file_;
-    double frames_ = 0;  // drawn since the last line, not written yet
+    double frames_ = 0;  // drawn since the last line, not written yet; of them while the timeline played
+    double played_ = 0;
 };
 
 }  // namespace voledit

@@ -63,8 +63,9 @@ void Session::drawFrame(FrameInput input) {
 }
 
 void Session::finishLoading() {
-    while (editor_->files().loading()) {
+    while (editor_->files().loading() || editor_->working()) {
         editor_->files().waitForLoading();
+        editor_->waitForWork();
         loadingFrames_ = 0;
         drawFrame(platform_->nextFrame(true));
     }
@@ -72,8 +73,10 @@ void Session::finishLoading() {
 
 void Session::runWindow() {
     while (!editor_->finished()) {
-        const bool busy = platform_->refining() || editor_->files().loading() || editor_->inputWaits();
-        drawFrame(platform_->nextFrame(busy));
+        // What plays is not refined: between its frames the window sleeps.
+        const bool refining = platform_->refining() && !editor_->playedFrame();
+        const bool busy = refining || editor_->files().loading() || editor_->working() || editor_->inputWaits();
+        drawFrame(platform_->nextFrame(busy, editor_->untilNextFrame()));
     }
 }
 
@@ -107,8 +110,9 @@ void Session::act(const std::string& action, const std::string& argument) {
 
 void Session::waitIdle() {
     finishLoading();
+    // What plays never rests.
     do frame({});
-    while (platform_->refining() && !closed());
+    while ((platform_->refining() || editor_->working()) && !editor_->playedFrame() && !closed());
 }
 
 void Session::saveScreenshot(const std::string& path) {

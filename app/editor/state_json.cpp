@@ -4,6 +4,7 @@
 
 #include "app/editor/tools/lattice_view.h"
 #include "core/scene/edits.h"
+#include "core/scene/nodes.h"
 #include "core/scene/scene_json.h"
 
 namespace voledit {
@@ -19,6 +20,11 @@ Json sceneState(const Workspace& workspace) {
     return Json::parse(sceneToJson(withDefaultsWrittenOut(scene, workspace.assets)));
 }
 
+// Path of the actor whose joints are selected.
+std::string actorOf(const Workspace& workspace) {
+    return workspace.selection.joints.empty() ? "" : followedUse(workspace.document.scene(), workspace.selection.node);
+}
+
 Json selectionState(const Workspace& workspace) {
     const Selection& selection = workspace.selection;
     Json points = Json::array();
@@ -28,7 +34,16 @@ Json selectionState(const Workspace& workspace) {
         const int at = int(index), nx = view->lattice.points.x, ny = view->lattice.points.y;
         points.push_back({at % nx, at / nx % ny, at / (nx * ny)});
     }
-    return {{"node", selection.node}, {"lattice", selection.lattice}, {"points", points}};
+    return {{"node", selection.node},
+            {"lattice", selection.lattice},
+            {"points", points},
+            {"joints", {{"actor", actorOf(workspace)}, {"names", selection.joints}}}};
+}
+
+Json keysState(const Workspace& workspace) {
+    Json keys = Json::array();
+    for (const KeyRef& key : workspace.timeline.keys) keys.push_back({{"path", key.path}, {"time", key.time}});
+    return keys;
 }
 
 }  // namespace
@@ -45,6 +60,9 @@ std::string stateJson(const Editor& editor) {
         {"modified", workspace.open && workspace.document.modified()},
         {"renderer", editor.rendererName()},
         {"time", workspace.time},
+        {"frame", workspace.open ? nearestFrame(workspace.time, workspace.document.scene().timeline) : 0},
+        {"playing", workspace.timeline.playback.playing()},
+        {"keys", keysState(workspace)},
         {"viewport", {workspace.viewOrigin.x, workspace.viewOrigin.y, workspace.viewSize.x, workspace.viewSize.y}},
         {"messages", messages},
     };

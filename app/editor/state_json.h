@@ -8,8 +8,9 @@
 namespace voledit {
 
 /// JSON: "scene" (as saving writes it, the view as its camera; null where nothing is open), "selection" {"lattice",
-/// "points": [[i, j, k] …]}, "undo", "redo" (names, the next one last), "modified", "renderer", "time", "viewport" [x,
-/// y, w, h], "messages" (all since the start), and in a window "frame_ms" and "refined_ms" of the last interaction.
+/// "points": [[i, j, k] …]}, "undo", "redo" (names, the next one last), "modified", "renderer", "time", "frame" (the
+/// nearest), "playing", "keys" (selected, [{"path", "time"} …]), "viewport" [x, y, w, h], "messages" (all since the
+/// start), and in a window "frame_ms" and "refined_ms" of the last interaction.
 std::string stateJson(const Editor& editor);
 
 }  // namespace voledit

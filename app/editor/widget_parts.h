@@ -1,5 +1,6 @@
 #pragma once
-// What the wrappers of widgets.h and parameter_widgets.h are made of. For those files alone.
+// What the wrappers of widgets.h and parameter_widgets.h are made of. For those files, and the timeline's row of
+// fields.
 
 #include <string>
 

@@ -9,9 +9,11 @@
 #include "app/editor/actor_state.h"
 #include "app/editor/formula_files.h"
 #include "app/editor/selection.h"
+#include "app/editor/timeline/timeline_state.h"
 #include "app/editor/tree_state.h"
 #include "core/scene/compile.h"
 #include "core/scene/document.h"
+#include "core/scene/when.h"
 
 namespace voledit {
 
@@ -40,7 +42,8 @@ struct Workspace {
 
     // What is looked at. The camera is the editor's own: navigating is no undo step; saving writes it into the scene.
     Camera camera;
-    double time = 0;         // seconds on the scene's clock
+    double time = 0;  // seconds on the scene's clock
+    TimelineState timeline;
     CompiledScene compiled;  // of document.scene() with `camera`, from the frame before; root is null where not open
     Index2 viewOrigin{0}, viewSize{1, 1};  // the viewport in window pixels
     bool overlays = true;
@@ -63,6 +66,8 @@ struct Workspace {
     std::vector<Notice> notices;
     Actions actions;
 
+    /// How an edit of a value holds: one that has keys, and with auto-key any, gets a key at the time that is shown.
+    When when() const { return {time, timeline.autoKey}; }
     void notify(Notice::Kind kind, const std::string& text) { notices.push_back({kind, text, clock}); }
 };
 

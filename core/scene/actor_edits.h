@@ -8,6 +8,7 @@
 #include "core/rigging/rig.h"
 #include "core/scene/compile.h"
 #include "core/scene/nodes.h"
+#include "core/scene/when.h"
 
 namespace voledit {
 
@@ -31,12 +32,7 @@ void clearMotion(Scene& scene, const NodePath& actor);
 void setMotionJoint(Scene& scene, const NodePath& actor, const std::string& joint, const std::string& motionJoint,
                     const Motion& motion);
 
-/// The joint's own rotation (on top of the motion), at all times; with `time`, only at the key of that time where it
-/// has tracks, or always as a key where `makeKey`.
-struct When {
-    std::optional<double> time;
-    bool makeKey = false;  // auto-key
-};
+/// The joint's own rotation (on top of the motion).
 void setJointRotation(Scene& scene, const NodePath& actor, const std::string& joint, const Quat& rotation,
                       const When& when);
 void setJointTranslation(Scene& scene, const NodePath& actor, const std::string& joint, const Vec3& translation,

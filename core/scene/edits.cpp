@@ -84,21 +84,27 @@ Vec3 controlPoint(const Scene& scene, const std::string& name, std::size_t point
 }
 
 void moveControlPoints(Scene& scene, const std::string& name, const std::vector<std::size_t>& points,
-                       const Vec3& offset) {
+                       const Vec3& offset, const When& when) {
     editLattice(scene, name, [&](FfdTransfer& ffd) {
         for (const std::size_t point : points) {
             checkPoint(ffd, name, point);
             auto& move = ffd.moves[point];
-            shift(move.vector, offset);
+            if (when.time)
+                setWhen(move.vector, move.vector.at(*when.time) + offset, when);
+            else
+                shift(move.vector, offset);
             if (!move.absolute && move.vector == Vec3(0)) ffd.moves.erase(point);
         }
     });
 }
 
-void setControlPoint(Scene& scene, const std::string& name, std::size_t point, const Vec3& position) {
+void setControlPoint(Scene& scene, const std::string& name, std::size_t point, const Vec3& position, const When& when) {
     editLattice(scene, name, [&](FfdTransfer& ffd) {
         checkPoint(ffd, name, point);
-        ffd.moves[point] = {position, true};
+        auto& move = ffd.moves[point];
+        // Keys that hold displacements would not be positions.
+        if (!move.absolute) move = {position, true};
+        setWhen(move.vector, position, when);
     });
 }
 
@@ -116,10 +122,10 @@ void setTransferEnabled(Scene& scene, const std::string& name, bool enabled) {
     editTransfer(scene, name, [&](Transfer& transfer) { transfer.enabled = enabled; });
 }
 
-void setTransferAmount(Scene& scene, const std::string& name, double amount) {
+void setTransferAmount(Scene& scene, const std::string& name, double amount, const When& when) {
     if (!(amount >= 0 && amount <= 1))
         throw Error("transfer \"" + name + "\"", "amount " + std::to_string(amount), "give one from 0 to 1");
-    editTransfer(scene, name, [&](Transfer& transfer) { transfer.amount = amount; });
+    editTransfer(scene, name, [&](Transfer& transfer) { setWhen(transfer.amount, amount, when); });
 }
 
 void setTransferOutside(Scene& scene, const std::string& name, Outside outside) {
@@ -152,10 +158,11 @@ const Appearance* findAppearance(const Scene& scene, const std::string& asset) {
 
 namespace {
 
-/// Tracks stay where the value is what their first keys say.
+/// Tracks stay where the value is what they say then, or what their first keys say.
 template <class T>
-void setUnlessEqual(Tracked<T>& tracked, const T& value) {
-    if (*tracked != value) tracked = value;
+void setUnlessEqual(Tracked<T>& tracked, const T& value, const When& when = {}) {
+    const T now = when.time ? tracked.at(*when.time) : *tracked;
+    if (now != value) setWhen(tracked, value, when);
 }
 
 }  // namespace
@@ -168,26 +175,27 @@ void setCamera(Scene& scene, const Camera& camera) {
     setUnlessEqual(scene.camera->fovY, camera.fovY);
 }
 
-void setRenderSettings(Scene& scene, const RenderSettings& settings) {
+void setRenderSettings(Scene& scene, const RenderSettings& settings, const When& when) {
     TrackedRender& render = scene.render;
-    setUnlessEqual(render.background, settings.background);
-    setUnlessEqual(render.step, settings.step);
+    setUnlessEqual(render.background, settings.background, when);
+    setUnlessEqual(render.step, settings.step, when);
     render.shading = settings.shading;
-    setUnlessEqual(render.ambient, settings.ambient);
-    setUnlessEqual(render.diffuse, settings.diffuse);
-    setUnlessEqual(render.specular, settings.specular);
-    setUnlessEqual(render.shininess, settings.shininess);
+    setUnlessEqual(render.ambient, settings.ambient, when);
+    setUnlessEqual(render.diffuse, settings.diffuse, when);
+    setUnlessEqual(render.specular, settings.specular, when);
+    setUnlessEqual(render.shininess, settings.shininess, when);
     if (!settings.light)
         render.light.reset();
     else if (!render.light)
         render.light = *settings.light;
     else
-        setUnlessEqual(*render.light, *settings.light);
+        setUnlessEqual(*render.light, *settings.light, when);
 }
 
-void setOpacityDistance(Scene& scene, double distance) {
+void setOpacityDistance(Scene& scene, double distance, const When& when) {
     if (!(distance > 0)) throw Error("opacityDistance", std::to_string(distance), "give a length above 0");
-    scene.opacityDistance = distance;
+    if (!scene.opacityDistance) scene.opacityDistance = distance;
+    setWhen(*scene.opacityDistance, distance, when);
 }
 
 }  // namespace voledit

@@ -6,6 +6,7 @@
 
 #include "core/scene/compile.h"
 #include "core/scene/scene.h"
+#include "core/scene/when.h"
 
 namespace voledit {
 
@@ -28,12 +29,13 @@ const Transfer* findTransfer(const Scene& scene, const std::string& name);
 /// Position of control point `point` of lattice `name`, world units, before the transfers outside it. `frame` is the
 /// transfer's own or, where it is left out, the operand's box. Throws Error if the lattice is gone.
 Vec3 controlPoint(const Scene& scene, const std::string& name, std::size_t point, const Frame& frame);
-/// Moves control points `points` of lattice `name` by `offset`, world units, at every time. Throws Error if the lattice
-/// is gone or a point is out of range.
+/// Moves control points `points` of lattice `name` by `offset`, world units: with `when` as it says, without at every
+/// time. Throws Error if the lattice is gone or a point is out of range.
 void moveControlPoints(Scene& scene, const std::string& name, const std::vector<std::size_t>& points,
-                       const Vec3& offset);
-/// Moves control point `point` to `position`, world units; it stays there: its tracks go.
-void setControlPoint(Scene& scene, const std::string& name, std::size_t point, const Vec3& position);
+                       const Vec3& offset, const When& when = {});
+/// Moves control point `point` to `position`, world units.
+void setControlPoint(Scene& scene, const std::string& name, std::size_t point, const Vec3& position,
+                     const When& when = {});
 /// All control points of lattice `name` back to rest (or only `points`, where it is not empty).
 void resetLattice(Scene& scene, const std::string& name, const std::vector<std::size_t>& points);
 /// Degree (Bézier) or points (B-spline) and cells of lattice `name`. Control points are elevated where the new lattice
@@ -43,16 +45,17 @@ void setLatticeShape(Scene& scene, const std::string& name, LatticeBasis basis, 
                      const Frame& frame);
 
 void setTransferEnabled(Scene& scene, const std::string& name, bool enabled);
-void setTransferAmount(Scene& scene, const std::string& name, double amount);
+void setTransferAmount(Scene& scene, const std::string& name, double amount, const When& when = {});
 void setTransferOutside(Scene& scene, const std::string& name, Outside outside);
 
 /// Appearance of the volume object that shows `asset`. Throws Error if there is none.
 void setAppearance(Scene& scene, const std::string& asset, const Appearance& appearance);
 const Appearance* findAppearance(const Scene& scene, const std::string& asset);
 
-/// Settings that change lose their tracks; the others keep them.
+/// Settings that are not what they were (at `when.time`; else by their first keys) change as `when` says; the others
+/// keep their tracks.
 void setCamera(Scene& scene, const Camera& camera);
-void setRenderSettings(Scene& scene, const RenderSettings& settings);
-void setOpacityDistance(Scene& scene, double distance);
+void setRenderSettings(Scene& scene, const RenderSettings& settings, const When& when = {});
+void setOpacityDistance(Scene& scene, double distance, const When& when = {});
 
 }  // namespace voledit

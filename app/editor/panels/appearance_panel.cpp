@@ -103,14 +103,16 @@ void presetCombo(Workspace& workspace, const std::string& asset) {
 
 void opacityDistance(Workspace& workspace) {
     Document& document = workspace.document;
-    double distance = document.scene().opacityDistance.value_or(workspace.compiled.opacityDistance);
+    const auto& tracked = document.scene().opacityDistance;
+    double distance = tracked ? tracked->at(workspace.time) : workspace.compiled.opacityDistance;
     NumberFormat format;
     format.min = 1e-6;
     format.decimals = distance < 0.1 ? 4 : 2;
     format.speed = distance / 100;
     const Edit edit = ui::number("Opacity distance", distance, format,
                                  "The length of material that has the opacity drawn above. Shorter is denser.");
-    applyEdit(document, edit, "Change density", [&](Scene& scene) { setOpacityDistance(scene, distance); });
+    applyEdit(document, edit, "Change density",
+              [&](Scene& scene) { setOpacityDistance(scene, distance, workspace.when()); });
 }
 
 }  // namespace

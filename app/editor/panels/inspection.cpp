@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "core/base/error.h"
 #include "core/scene/compile.h"
@@ -55,12 +54,7 @@ void Inspection::note(const Edit& edit, const std::string& step) {
 void Inspection::finish() {
     if (edit_.changed) workspace_.pending.step = step_;
     if (edit_.finished || edit_.cancelled) workspace_.pending = {};
-    if (edit_.cancelled) state_.tracksGo = false;
     applyEdit(workspace_.document, edit_, step_, write);
-    if (edit_.finished && std::exchange(state_.tracksGo, false))
-        workspace_.notify(
-            Notice::Kind::Info,
-            step_ + ": one value takes the place of what changed over time; undo (Ctrl+Z) brings it back");
 }
 
 NumberFormat Inspection::lengthFormat() const {
@@ -71,25 +65,22 @@ NumberFormat Inspection::lengthFormat() const {
     return format;
 }
 
-void Inspection::length(const char* label, Tracked<double>& value, double low, const std::string& help) {
+void Inspection::length(const char* label, const std::string& member, Tracked<double>& value, double low,
+                        const std::string& help) {
     NumberFormat format = lengthFormat();
     format.min = low;
-    tracked(label, value, [&](double& now) { return ui::number(label, now, format, help); });
+    tracked(label, member, value, [&](double& now) { return ui::number(label, now, format, help); });
 }
 
-void Inspection::number(const char* label, Tracked<double>& value, const ParameterFormat& format,
-                        const std::string& help) {
-    tracked(label, value, [&](double& now) { return ui::parameter(label, now, format, help); });
+void Inspection::position(const char* label, const std::string& member, Tracked<Vec3>& value, const std::string& help) {
+    tracked(label, member, value, [&](Vec3& now) { return ui::vector(label, now, lengthFormat(), help); });
 }
 
-void Inspection::position(const char* label, Tracked<Vec3>& value, const std::string& help) {
-    tracked(label, value, [&](Vec3& now) { return ui::vector(label, now, lengthFormat(), help); });
-}
-
-void Inspection::direction(const char* label, Tracked<Vec3>& value, const std::string& help) {
+void Inspection::direction(const char* label, const std::string& member, Tracked<Vec3>& value,
+                           const std::string& help) {
     NumberFormat format;
     format.speed = 0.01;
-    tracked(label, value, [&](Vec3& now) {
+    tracked(label, member, value, [&](Vec3& now) {
         const Vec3 before = now;
         Edit edit = ui::vector(label, now, format, help);
         // No direction at all is none to show anything by.
@@ -131,17 +122,11 @@ void Inspection::scalar(const char* label, const std::string& member, std::varia
                         const ParameterFormat& format, const std::string& help) {
     const std::string step = stepFor(label);
     if (auto* number = std::get_if<Tracked<double>>(&value)) {
-        double now = number->at(workspace_.time);
-        if (number->animated()) ui::animatedMark(label);
         bool toFormula = false;
-        const Edit edit = ui::parameterOrFormula(label, now, format, help, toFormula);
-        if (edit.changed) {
-            state_.tracksGo |= number->animated();
-            *number = now;
-        }
-        note(edit, step);
+        tracked(label, member, *number,
+                [&](double& now) { return ui::parameterOrFormula(label, now, format, help, toFormula); });
         if (!toFormula) return;
-        value = numberText(now);
+        value = numberText(number->at(workspace_.time));
         return note({true, true, false}, step);
     }
     const std::string text = std::get<std::string>(value);
@@ -185,12 +170,12 @@ void Inspection::field(const char* label, const std::string& member, FieldRef& f
     if (!(value == before)) store();
 }
 
-void Inspection::boxRows(const char* minLabel, const char* maxLabel, TrackedBox& box) {
-    position(minLabel, box.min, "Lower corner, world units");
-    position(maxLabel, box.max, "Upper corner, world units");
+void Inspection::boxRows(const char* minLabel, const char* maxLabel, const std::string& member, TrackedBox& box) {
+    position(minLabel, member + "/min", box.min, "Lower corner, world units");
+    position(maxLabel, member + "/max", box.max, "Upper corner, world units");
 }
 
-void Inspection::placementRows(Placement& placement) {
+void Inspection::placementRows(Placement& placement, const std::string& member) {
     if (placement.matrix) {
         ui::note("A matrix, as the file gives it.");
         const bool split =
@@ -199,12 +184,12 @@ void Inspection::placementRows(Placement& placement) {
         note({split, split, false}, "Replace matrix");
         return;
     }
-    position("Translate", placement.translate, "World units");
+    position("Translate", member + "/translate", placement.translate, "World units");
     NumberFormat degrees{-kInfinity, kInfinity, 0.5, 1, "°"};
-    tracked("Rotate", placement.rotate,
+    tracked("Rotate", member + "/rotate", placement.rotate,
             [&](Vec3& now) { return ui::vector("Rotate", now, degrees, "Degrees about x, then y, then z"); });
     NumberFormat factor{-kInfinity, kInfinity, 0.005, 3};
-    tracked("Scale", placement.scale, [&](Vec3& now) {
+    tracked("Scale", member + "/scale", placement.scale, [&](Vec3& now) {
         const Vec3 before = now;
         Edit edit = ui::vector("Scale", now, factor, "Along x, y, z");
         if (now.x * now.y * now.z == 0) {

@@ -8,6 +8,7 @@
 #include "app/editor/formula_field.h"
 #include "app/editor/panels/transfer_plot.h"
 #include "app/editor/parameter_widgets.h"
+#include "app/editor/timeline/key_row.h"
 #include "app/editor/workspace.h"
 
 namespace voledit {
@@ -15,10 +16,9 @@ namespace voledit {
 /// What an inspector keeps from frame to frame.
 struct InspectorState {
     FormulaFields formulas;
-    TransferPlot plot;      // of a recolour's tables
-    std::string shown;      // path of the node
-    Box3 box;               // lengths that sliders go by, world units; held while something is dragged
-    bool tracksGo = false;  // what is being edited had tracks
+    TransferPlot plot;  // of a recolour's tables
+    std::string shown;  // path of the node
+    Box3 box;           // lengths that sliders go by, world units; held while something is dragged
 };
 
 /// One frame of an inspector: rows edit a copy of the node, `finish` writes what changed.
@@ -38,17 +38,17 @@ public:
     /// Takes in what a widget did; `step` names the undo step.
     void note(const Edit& edit, const std::string& step);
 
-    /// A row for a value that may have tracks: shows it at the current time with a mark, and drops the tracks when it
-    /// is edited. `widget(value)` draws the row.
+    /// A row for a value that may have keys, which stands at `member` of the node ("/angle"; "": it takes none): shows
+    /// it at the current time with a mark. An edit of one that has keys, or any with auto-key, sets the key of that
+    /// time. `widget(value)` draws the row.
     template <class T, class Widget>
-    void tracked(const char* label, Tracked<T>& value, const Widget& widget);
+    void tracked(const char* label, const std::string& member, Tracked<T>& value, const Widget& widget);
 
     /// Rows of numbers in world units, without ends (`low` apart), dragged by a thousandth of the box.
-    void length(const char* label, Tracked<double>& value, double low, const std::string& help = {});
-    void position(const char* label, Tracked<Vec3>& value, const std::string& help = {});
-    void direction(const char* label, Tracked<Vec3>& value, const std::string& help = {});
-    /// Any number, dragged by its own hundredth.
-    void number(const char* label, Tracked<double>& value, const ParameterFormat& format, const std::string& help = {});
+    void length(const char* label, const std::string& member, Tracked<double>& value, double low,
+                const std::string& help = {});
+    void position(const char* label, const std::string& member, Tracked<Vec3>& value, const std::string& help = {});
+    void direction(const char* label, const std::string& member, Tracked<Vec3>& value, const std::string& help = {});
     NumberFormat lengthFormat() const;
 
     /// A row for a formula, checked by compiling the scene with it: `put(text)` writes it into the node's copy.
@@ -61,10 +61,10 @@ public:
     /// The same for a scalar field; those of other kinds are named only, and stand in the tree.
     void field(const char* label, const std::string& member, FieldRef& field, const ParameterFormat& format,
                const std::string& help = {});
-    /// min and max of a box.
-    void boxRows(const char* minLabel, const char* maxLabel, TrackedBox& box);
-    /// translate, rotate, scale; or the matrix.
-    void placementRows(Placement& placement);
+    /// min and max of a box at `member`.
+    void boxRows(const char* minLabel, const char* maxLabel, const std::string& member, TrackedBox& box);
+    /// translate, rotate, scale; or the matrix. They stand in the node itself, or at `member` of it.
+    void placementRows(Placement& placement, const std::string& member = {});
 
     /// How a copy of the node goes into a scene; set by the inspector before its rows are drawn.
     std::function<void(Scene&)> write;
@@ -85,14 +85,15 @@ private:
 };
 
 template <class T, class Widget>
-void Inspection::tracked(const char* label, Tracked<T>& value, const Widget& widget) {
+void Inspection::tracked(const char* label, const std::string& member, Tracked<T>& value, const Widget& widget) {
     T now = value.at(workspace_.time);
     if (value.animated()) ui::animatedMark(label);
-    const Edit edit = widget(now);
-    if (edit.changed) {
-        state_.tracksGo |= value.animated();
-        value = now;
+    Edit edit;
+    {
+        const KeyRow keys(workspace_, member.empty() ? "" : path_ + member, label, keyStateOf(value, workspace_.time));
+        edit = widget(now);
     }
+    if (edit.changed) setWhen(value, now, workspace_.when());
     note(edit, stepFor(label));
 }
 

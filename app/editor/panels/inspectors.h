@@ -13,6 +13,7 @@ void inspectTransfer(Inspection& inspection, Transfer& transfer);
 void inspectLibraryTransfer(Inspection& inspection, LibraryTransfer& transfer);
 
 void inspectObject(Inspection& inspection, Object& object);
+void inspectActor(Inspection& inspection, ActorObject& actor);
 void inspectSolid(Inspection& inspection, SolidObject& solid);
 
 void inspectDisplacement(Inspection& inspection, Displacement& displacement);

@@ -51,11 +51,13 @@ void drawShape(Workspace& workspace, const LatticeView& view, const FfdTransfer&
     applyEdit(document, divided, "Change cells", change);
 }
 
-void drawStrength(Document& document, const std::string& name, const Transfer& transfer) {
-    double amount = transfer.amount;
+void drawStrength(Workspace& workspace, const std::string& name, const Transfer& transfer) {
+    Document& document = workspace.document;
+    double amount = transfer.amount.at(workspace.time);
     NumberFormat format{0, 1, 0, 2};
     const Edit scaled = ui::slider("Amount", amount, format, "How much of the deformation is applied");
-    applyEdit(document, scaled, "Change amount", [&](Scene& scene) { setTransferAmount(scene, name, amount); });
+    applyEdit(document, scaled, "Change amount",
+              [&](Scene& scene) { setTransferAmount(scene, name, amount, workspace.when()); });
 
     static const std::vector<std::string> kinds{"Hide", "Keep"};
     int outside = transfer.outside.value_or(Outside::Hide) == Outside::Keep ? 1 : 0;
@@ -87,7 +89,8 @@ void drawPosition(Workspace& workspace, const LatticeView& view, const std::vect
     const Vec3 offset = latticeFromShown * (position - meanOf(*before, points));
     const std::string name =
         points.size() == 1 ? "Move control point" : "Move " + std::to_string(points.size()) + " control points";
-    applyEdit(document, edit, name, [&](Scene& scene) { moveControlPoints(scene, view.name, points, offset); });
+    applyEdit(document, edit, name,
+              [&](Scene& scene) { moveControlPoints(scene, view.name, points, offset, workspace.when()); });
 }
 
 void drawSelection(Workspace& workspace, const LatticeView& view) {
@@ -146,7 +149,7 @@ void LatticePanel::draw(Workspace& workspace) {
     drawFolds(*view, folded_.of(view->map));
     drawSelection(workspace, *view);
     ui::heading("LATTICE");
-    drawStrength(document, name, settings);
+    drawStrength(workspace, name, settings);
     drawShape(workspace, *view, shape);
 }
 

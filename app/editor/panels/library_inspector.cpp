@@ -96,7 +96,8 @@ private:
     void numbers() {
         auto* value = std::get_if<Tracked<std::vector<double>>>(&argument_);
         if (!value || (*value)->empty()) return;
-        inspection_.tracked(label_.c_str(), *value, [&](std::vector<double>& now) { return numberRow(now); });
+        inspection_.tracked(label_.c_str(), "/" + parameter_.name, *value,
+                            [&](std::vector<double>& now) { return numberRow(now); });
     }
 
     Edit numberRow(std::vector<double>& now) {
@@ -119,8 +120,9 @@ private:
     void line() {
         auto* line = std::get_if<LibraryTransfer::Line>(&argument_);
         if (!line) return;
-        inspection_.position((label_ + " point").c_str(), line->point, help_);
-        inspection_.direction((label_ + " along").c_str(), line->direction, help_);
+        inspection_.position((label_ + " point").c_str(), "/" + parameter_.name + "/point", line->point, help_);
+        inspection_.direction((label_ + " along").c_str(), "/" + parameter_.name + "/direction", line->direction,
+                              help_);
     }
 
     void axes() {

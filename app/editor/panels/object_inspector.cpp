@@ -54,27 +54,27 @@ void inspectVolume(Inspection& inspection, VolumeObject& volume) {
 constexpr double kSmallest = 1e-6;  // of sizes, which must be above 0
 
 void shapeRows(Inspection& in, SolidSphere& sphere) {
-    in.position("Center", sphere.center);
-    in.length("Radius", sphere.radius, kSmallest);
+    in.position("Center", "/shape/sphere/center", sphere.center);
+    in.length("Radius", "/shape/sphere/radius", sphere.radius, kSmallest);
 }
 void shapeRows(Inspection& in, SolidBox& box) {
-    in.boxRows("Min", "Max", box.box);
+    in.boxRows("Min", "Max", "/shape/box", box.box);
 }
 void shapeRows(Inspection& in, SolidCylinder& cylinder) {
-    in.position("From", cylinder.from, "Centre of one end");
-    in.position("To", cylinder.to, "Centre of the other end");
-    in.length("Radius", cylinder.radius, kSmallest);
+    in.position("From", "/shape/cylinder/from", cylinder.from, "Centre of one end");
+    in.position("To", "/shape/cylinder/to", cylinder.to, "Centre of the other end");
+    in.length("Radius", "/shape/cylinder/radius", cylinder.radius, kSmallest);
 }
 void shapeRows(Inspection& in, SolidCapsule& capsule) {
-    in.position("From", capsule.from, "Centre of one round end");
-    in.position("To", capsule.to, "Centre of the other round end");
-    in.length("Radius", capsule.radius, kSmallest);
+    in.position("From", "/shape/capsule/from", capsule.from, "Centre of one round end");
+    in.position("To", "/shape/capsule/to", capsule.to, "Centre of the other round end");
+    in.length("Radius", "/shape/capsule/radius", capsule.radius, kSmallest);
 }
 void shapeRows(Inspection& in, SolidTorus& torus) {
-    in.position("Center", torus.center);
-    in.direction("Axis", torus.axis, "Which it goes round");
-    in.length("Major", torus.major, kSmallest, "From the centre to the middle of the tube");
-    in.length("Minor", torus.minor, kSmallest, "Radius of the tube");
+    in.position("Center", "/shape/torus/center", torus.center);
+    in.direction("Axis", "/shape/torus/axis", torus.axis, "Which it goes round");
+    in.length("Major", "/shape/torus/major", torus.major, kSmallest, "From the centre to the middle of the tube");
+    in.length("Minor", "/shape/torus/minor", torus.minor, kSmallest, "Radius of the tube");
 }
 void shapeRows(Inspection& in, SolidText& text) {
     std::string string = text.string;
@@ -82,14 +82,14 @@ void shapeRows(Inspection& in, SolidText& text) {
     edit.changed &= string.find_first_not_of(" \t\n") != string.npos;
     if (edit.changed) text.string = string;
     in.note(edit, "Change text");
-    in.length("Height", text.height, kSmallest, "Of capital letters");
-    in.length("Depth", text.depth, kSmallest, "Along y");
+    in.length("Height", "/shape/text/height", text.height, kSmallest, "Of capital letters");
+    in.length("Depth", "/shape/text/depth", text.depth, kSmallest, "Along y");
 }
 void shapeRows(Inspection& in, SolidFormula& shape) {
     in.formula(
         "Distance", "/shape/expression/d", shape.d, [&](const std::string& to) { shape.d = to; },
         "Signed distance to the surface over x, y, z, t: negative inside");
-    in.boxRows("Min", "Max", shape.bounds);
+    in.boxRows("Min", "Max", "/shape/expression/bounds", shape.bounds);
 }
 
 // ---- Recolouring --------------------------------------------------------------------------------------------------
@@ -176,7 +176,7 @@ void fieldsRows(Inspection& in, FieldsObject& fields) {
     for (std::size_t c = 0; c < 3; ++c) in.field(kColors[c], "/color/" + std::to_string(c), fields.color[c], kShare);
     for (auto& [name, field] : fields.attributes) in.field(name.c_str(), "/" + name, field, kAnyNumber);
     ui::heading("BOUNDS");
-    in.boxRows("Min", "Max", fields.bounds);
+    in.boxRows("Min", "Max", "/bounds", fields.bounds);
     ui::note("Outside there is nothing.");
 }
 
@@ -195,10 +195,10 @@ void combineRows(Inspection& in, TransferObject& transfer) {
 void inspectSolid(Inspection& inspection, SolidObject& solid) {
     std::visit([&](auto& shape) { shapeRows(inspection, shape); }, solid.shape);
     ui::heading("LOOK");
-    inspection.tracked("Color", solid.color, [](Vec3& now) { return ui::color("Color", now); });
+    inspection.tracked("Color", "/color", solid.color, [](Vec3& now) { return ui::color("Color", now); });
     inspection.scalar("Opacity", "/opacity", solid.opacity, kShare,
                       "A number, or a formula over x, y, z, r (distance from the centre), d (signed distance)");
-    inspection.length("Falloff", solid.falloff, 0, "Length over which opacity fades outside the surface");
+    inspection.length("Falloff", "/falloff", solid.falloff, 0, "Length over which opacity fades outside the surface");
 }
 
 void inspectObject(Inspection& inspection, Object& object) {
@@ -209,6 +209,7 @@ void inspectObject(Inspection& inspection, Object& object) {
     if (auto* transfer = std::get_if<TransferObject>(&object.kind)) combineRows(inspection, *transfer);
     if (auto* place = std::get_if<PlaceObject>(&object.kind)) inspection.placementRows(place->placement);
     if (auto* recolor = std::get_if<RecolorObject>(&object.kind)) recolorRows(inspection, *recolor);
+    if (auto* actor = std::get_if<ActorObject>(&object.kind)) inspectActor(inspection, *actor);
     if (std::holds_alternative<DisplaceObject>(object.kind))
         ui::note("Each point shows what lies at it plus the displacement.");
 }

@@ -4,6 +4,7 @@
 
 #include "app/editor/widgets.h"
 #include "core/scene/edits.h"
+#include "core/scene/scene_at.h"
 
 namespace voledit {
 
@@ -18,10 +19,15 @@ void drawRenderer(Workspace& workspace) {
         workspace.renderer = RendererChoice(index);
 }
 
-void drawShading(Document& document) {
-    RenderSettings render = document.scene().render;
+RenderSettings settingsOf(const Workspace& workspace) {
+    return sceneAt(workspace.document.scene(), workspace.time).render;
+}
+
+void drawShading(Workspace& workspace) {
+    RenderSettings render = settingsOf(workspace);
     const auto apply = [&](const Edit& edit, const char* name) {
-        applyEdit(document, edit, name, [&](Scene& scene) { setRenderSettings(scene, render); });
+        applyEdit(workspace.document, edit, name,
+                  [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
     };
     apply(ui::checkbox("Shading", render.shading, "Light surfaces by the gradient of the data"), "Change shading");
     if (!render.shading) return;
@@ -48,14 +54,16 @@ void drawShading(Document& document) {
 void drawRenderPanel(Workspace& workspace) {
     Document& document = workspace.document;
     drawRenderer(workspace);
-    RenderSettings render = document.scene().render;
+    RenderSettings render = settingsOf(workspace);
     NumberFormat steps{0.1, 4, 0, 2, "", true};
     const Edit stepped = ui::slider("Step", render.step, steps, "Of the smallest spacing: smaller is finer and slower");
-    applyEdit(document, stepped, "Change step", [&](Scene& scene) { setRenderSettings(scene, render); });
-    render = document.scene().render;
+    applyEdit(document, stepped, "Change step",
+              [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
+    render = settingsOf(workspace);
     const Edit painted = ui::color("Background", render.background, "Behind everything");
-    applyEdit(document, painted, "Change background", [&](Scene& scene) { setRenderSettings(scene, render); });
-    drawShading(document);
+    applyEdit(document, painted, "Change background",
+              [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
+    drawShading(workspace);
 }
 
 }  // namespace voledit

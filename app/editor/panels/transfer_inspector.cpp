@@ -24,8 +24,8 @@ void frameRows(Inspection& inspection, Transfer& transfer) {
         } else if (isBox(*transfer.frame)) {
             const Box3 box = boundsOf(*transfer.frame);
             Tracked<Vec3> min = box.min, max = box.max;
-            inspection.position("Frame min", min, "Lower corner of the box that the formulas call 0");
-            inspection.position("Frame max", max, "Upper corner of the box that the formulas call 1");
+            inspection.position("Frame min", "", min, "Lower corner of the box that the formulas call 0");
+            inspection.position("Frame max", "", max, "Upper corner of the box that the formulas call 1");
             const bool solid = min->x < max->x && min->y < max->y && min->z < max->z;
             if (solid && (*min != box.min || *max != box.max)) transfer.frame = TrackedFrame(frameOf(Box3{min, max}));
         } else {
@@ -45,7 +45,7 @@ void frameRows(Inspection& inspection, Transfer& transfer) {
 
 void amountRows(Inspection& inspection, Transfer& transfer, bool usesOutside) {
     NumberFormat share{0, 1, 0, 2};
-    inspection.tracked("Amount", transfer.amount, [&](double& now) {
+    inspection.tracked("Amount", "/amount", transfer.amount, [&](double& now) {
         return ui::slider("Amount", now, share, "How much of the deformation is applied; 0 is none of it");
     });
     if (usesOutside) {

@@ -6,11 +6,14 @@ namespace voledit {
 
 namespace {
 constexpr double kRest = 0.5;  // seconds
+// The last ones count: what plays goes on without end.
+constexpr std::size_t kMostFrames = 600;
 }  // namespace
 
 void InteractionClock::frame(bool changed, bool refining, double start, double shown) {
     if (changed) {
         if (start - lastChange_ > kRest) milliseconds_.clear();
+        if (milliseconds_.size() == kMostFrames) milliseconds_.erase(milliseconds_.begin());
         milliseconds_.push_back(1000 * (shown - start));
         lastChange_ = start;
         refinedMs_ = 0;

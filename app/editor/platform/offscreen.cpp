@@ -20,7 +20,7 @@ public:
     float displayScale() const override { return 1; }
     Index2 size() const override { return size_; }
 
-    FrameInput nextFrame(bool) override {
+    FrameInput nextFrame(bool, double) override {
         FrameInput input;
         input.size = size_;
         return input;

@@ -22,8 +22,10 @@ void Painter::guarded(Editor& editor, const std::function<void()>& draw) {
 
 void Painter::paint(Editor& editor, GLuint framebuffer, double budgetMs) {
     const Workspace& workspace = editor.workspace();
+    ViewportPicture::Budget budget{.refineMs = budgetMs};
+    if (const auto frame = editor.playedFrame()) budget.playedMs = 1000 * *frame;
     if (workspace.open)
-        guarded(editor, [&] { picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, budgetMs); });
+        guarded(editor, [&] { picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, budget); });
     drawWindow(editor, framebuffer);
 }
 

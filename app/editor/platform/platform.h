@@ -17,8 +17,8 @@ public:
     virtual float displayScale() const = 0;
     /// The window's size in pixels.
     virtual Index2 size() const = 0;
-    /// The input since the call before. A window waits for some where `busy` is false.
-    virtual FrameInput nextFrame(bool busy) = 0;
+    /// The input since the call before. A window waits for some where `busy` is false, no longer than `atMost` seconds.
+    virtual FrameInput nextFrame(bool busy, double atMost = kInfinity) = 0;
     /// Shows the editor's last frame.
     virtual void show(Editor& editor) = 0;
     /// True while the shown picture is not at full quality.

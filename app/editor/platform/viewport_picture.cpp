@@ -22,10 +22,10 @@ struct Level {
 };
 constexpr std::array<Level, 5> kLevels{{{1, 1}, {2, 1.25}, {3, 1.5}, {4, 2}, {5, 2.5}}};
 constexpr int kCoarsest = int(kLevels.size()) - 1;
-// A preview longer than the one makes the next coarser, shorter than the other finer. A level costs between two and
+// A preview longer than that makes the next coarser, shorter than a share of it finer. A level costs between two and
 // four times the next coarser one, so that the two do not chase each other. Coarser than the last level, surfaces break
 // up into blocks and speckles: a picture that comes a little later is better to work on.
-constexpr double kTooSlowMs = 80, kFastMs = 20;
+constexpr double kTooSlowMs = 80, kFastShare = 0.25;
 constexpr int kMeasureLevel = 3;
 
 const ProgramVariant kPresent{"screen.vert", "present.frag", {}};
@@ -172,16 +172,18 @@ double ViewportPicture::drawOrLeaveToRays(const CompiledScene& scene, int level)
     return drawLevel(source(true), scene, level);
 }
 
-void ViewportPicture::drawPreview(const CompiledScene& scene) {
+void ViewportPicture::drawPreview(const CompiledScene& scene, const Budget& budget) {
+    // Of a played frame a part is left to all else that is done for it.
+    const double most = std::min(kTooSlowMs, 0.75 * budget.playedMs.value_or(kInfinity));
     const double took = drawOrLeaveToRays(scene, previewLevel_[rays_ ? 1 : 0]);
     int& level = previewLevel_[rays_ ? 1 : 0];
-    if (took > kTooSlowMs)
-        level = std::min(level + (took > 4 * kTooSlowMs ? 2 : 1), kCoarsest);
-    else if (took < kFastMs)
+    if (took > most)
+        level = std::min(level + (took > 4 * most ? 2 : 1), kCoarsest);
+    else if (took < kFastShare * most)
         level = std::max(level - 1, 0);
 }
 
-void ViewportPicture::update(const CompiledScene& scene, Index2 size, RendererChoice choice, double budgetMs) {
+void ViewportPicture::update(const CompiledScene& scene, Index2 size, RendererChoice choice, const Budget& budget) {
     ensureTargets(size);
     background_ = Vec3f(scene.render.background);
     Wanted wanted{scene.root, scene.camera, scene.render, scene.opacityDistance, scene.unitStep, size, choice};
@@ -190,12 +192,12 @@ void ViewportPicture::update(const CompiledScene& scene, Index2 size, RendererCh
         wanted_ = std::move(wanted);
         refining_ = false;
         rays_ = wantRays(scene, choice);
-        drawPreview(scene);
+        drawPreview(scene, budget);
         return;
     }
-    if (finished()) return;
+    if (finished() || budget.playedMs) return;
     if (!refining_) begin(source(rays_), scene, level_ > 2 ? 1 : 0);
-    refining_ = !source(rays_).advance(budgetMs);
+    refining_ = !source(rays_).advance(budget.refineMs);
     if (!refining_) present(source(rays_).texture());
 }
 

@@ -23,8 +23,13 @@ public:
     explicit ViewportPicture(ShaderLibrary& shaders);
     ~ViewportPicture();
 
-    /// Draws a preview if anything differs from the call before, else goes on refining for `budgetMs`.
-    void update(const CompiledScene& scene, Index2 size, RendererChoice choice, double budgetMs);
+    /// How long an update may take, milliseconds.
+    struct Budget {
+        double refineMs = 25;              // for one step of refining
+        std::optional<double> playedMs{};  // of a frame while a scene plays: previews keep to it, nothing is refined
+    };
+    /// Draws a preview if anything differs from the call before, else goes on refining.
+    void update(const CompiledScene& scene, Index2 size, RendererChoice choice, const Budget& budget);
     /// Draws the full-quality picture at once, unless it is there.
     void finish(const CompiledScene& scene, Index2 size, RendererChoice choice);
 
@@ -60,7 +65,7 @@ private:
     void begin(PictureSource& source, const CompiledScene& scene, int level);
     void present(const SourceTexture& texture);
     double drawOrLeaveToRays(const CompiledScene& scene, int level);
-    void drawPreview(const CompiledScene& scene);
+    void drawPreview(const CompiledScene& scene, const Budget& budget);
     PictureSource& source(bool rays);
 
     ShaderLibrary& shaders_;

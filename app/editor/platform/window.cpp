@@ -20,6 +20,7 @@ namespace voledit {
 namespace {
 
 constexpr double kRefineMs = 25;        // of a frame, for the picture
+constexpr double kShortestWait = 1e-3;  // seconds
 constexpr double kSettleSeconds = 1.2;  // after input: tooltips, hover
 constexpr int kSettleFrames = 3;        // ImGui lays some things out a frame or two later
 
@@ -112,7 +113,7 @@ public:
 
     float displayScale() const override;
     Index2 size() const override;
-    FrameInput nextFrame(bool busy) override;
+    FrameInput nextFrame(bool busy, double atMost) override;
     void show(Editor& editor) override;
     bool refining() const override { return painter_ && !painter_->picture().finished(); }
     Picture screenshot(Editor& editor) override { return painter_->screenshot(editor); }
@@ -213,11 +214,12 @@ Index2 Window::size() const {
     return glm::max(size, Index2(1));
 }
 
-FrameInput Window::nextFrame(bool busy) {
-    if (busy || settle_ > 0)
+FrameInput Window::nextFrame(bool busy, double atMost) {
+    const double patience = std::min(atMost, glfwGetTime() - lastInput_ < kSettleSeconds ? 0.1 : 1.0);
+    if (busy || settle_ > 0 || patience < kShortestWait)
         glfwPollEvents();
     else
-        glfwWaitEventsTimeout(glfwGetTime() - lastInput_ < kSettleSeconds ? 0.1 : 1.0);
+        glfwWaitEventsTimeout(patience);
     const double now = glfwGetTime();
     FrameInput input;
     input.size = size();

@@ -48,6 +48,11 @@ std::vector<std::size_t> selectedPoints(const ToolContext& context, const Lattic
     return points;
 }
 
+/// Points that have keys get one at the time that is shown.
+When whenOf(const ToolContext& context) {
+    return {context.compiled ? std::optional(context.compiled->time) : std::nullopt, context.autoKey};
+}
+
 std::string countOf(std::size_t points) {
     return points == 1 ? "control point" : std::to_string(points) + " control points";
 }
@@ -181,7 +186,7 @@ void LatticeTool::previewMove(ToolContext& context) {
     const Vec3 offset = glm::inverse(Mat3(move_->view.shownFromLattice)) * move_->move.offset();
     try {
         context.document.preview(
-            [&](Scene& scene) { moveControlPoints(scene, move_->view.name, move_->points, offset); });
+            [&](Scene& scene) { moveControlPoints(scene, move_->view.name, move_->points, offset, whenOf(context)); });
     } catch (...) {
         cancel(context);
         throw;

@@ -2,6 +2,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/scene/scene_at.h"
+
 namespace voledit {
 
 namespace {
@@ -84,7 +86,8 @@ struct Walk {
 
 }  // namespace
 
-std::vector<LatticeView> latticeViews(const Scene& scene, const CompiledScene* compiled) {
+std::vector<LatticeView> latticeViews(const Scene& animated, const CompiledScene* compiled) {
+    const Scene scene = compiled ? sceneAt(animated, compiled->time) : animated;
     Walk walk{scene, compiled};
     const Object* object = &*scene.root;
     // Each object is passed once at most; more would be a cycle, which loading refuses.

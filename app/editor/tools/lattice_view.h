@@ -27,8 +27,9 @@ struct LatticeView {
     Vec3 shown(std::size_t index) const { return transformPoint(shownFromLattice, lattice.control[index]); }
 };
 
-/// Every lattice that the scene's root passes through, the outermost first. Frames left out come from `compiled` (the
-/// operand's box; may be null); a lattice whose frame cannot be known yet is left out.
+/// Every lattice that the scene's root passes through, the outermost first, as they are at the compiled time. Frames
+/// left out come from `compiled` (the operand's box; may be null); a lattice whose frame cannot be known yet is left
+/// out.
 std::vector<LatticeView> latticeViews(const Scene& scene, const CompiledScene* compiled);
 
 /// The one called `name`; with an empty name the outermost. nullopt where there is none.

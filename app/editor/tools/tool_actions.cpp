@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "app/editor/tools/actor_view.h"
 #include "core/base/error.h"
 #include "core/scene/edits.h"
 
@@ -69,8 +70,9 @@ void moveAction(Workspace& workspace, const std::string& argument) {
     const Vec3 offset = glm::inverse(Mat3(view->shownFromLattice)) * threeNumbers("lattice.move", argument);
     const std::size_t count = workspace.selection.points.size();
     const std::string name = count == 1 ? "Move control point" : "Move " + std::to_string(count) + " control points";
-    workspace.document.apply(
-        name, [&](Scene& scene) { moveControlPoints(scene, view->name, workspace.selection.points, offset); });
+    workspace.document.apply(name, [&](Scene& scene) {
+        moveControlPoints(scene, view->name, workspace.selection.points, offset, workspace.when());
+    });
 }
 
 /// "i,j,k i,j,k …"
@@ -92,9 +94,21 @@ void selectPointsAction(Workspace& workspace, const std::string& argument) {
     workspace.selection = selection;
 }
 
+ActorPtr activeActor(const Workspace& workspace) {
+    if (!workspace.open || !workspace.compiled.root) return nullptr;
+    return activeActor(workspace.document.scene(), &workspace.compiled, workspace.selection);
+}
+
+void selectAllJoints(Workspace& workspace) {
+    const ActorPtr actor = activeActor(workspace);
+    if (!actor) return;
+    workspace.selection = {"", {}, workspace.selection.node.empty() ? actor->path : workspace.selection.node, {}};
+    for (const Joint& joint : actor->skeleton.joints) workspace.selection.joints.push_back(joint.name);
+}
+
 void selectAllAction(Workspace& workspace) {
     const auto view = activeView(workspace);
-    if (!view) return;
+    if (!view) return selectAllJoints(workspace);
     workspace.selection = {view->name, std::vector<std::size_t>(view->lattice.control.size())};
     std::iota(workspace.selection.points.begin(), workspace.selection.points.end(), std::size_t(0));
 }
@@ -103,6 +117,7 @@ void selectInvertAction(Workspace& workspace) {
     const auto view = activeView(workspace);
     if (!view) return;
     const std::vector<std::size_t> before = workspace.selection.points;
+    if (activeLattice(workspace).empty()) return;
     selectAllAction(workspace);
     std::erase_if(workspace.selection.points,
                   [&](std::size_t p) { return std::binary_search(before.begin(), before.end(), p); });
@@ -141,10 +156,16 @@ void addLatticeActions(Actions& actions, Workspace& workspace) {
 void addSelectActions(Actions& actions, Workspace& workspace, ViewportTools& tools) {
     const auto any = [&workspace] { return !activeLattice(workspace).empty(); };
     const auto some = [&workspace] { return hasPoints(workspace); };
-    actions.add({"select.all", "Select All Control Points", "A", "", "Selects every control point of the lattice",
-                 [&](const std::string&) { selectAllAction(workspace); }, any});
+    actions.add({"select.all", "Select All", "A", "",
+                 "Selects every control point of the lattice, every joint of the actor",
+                 [&](const std::string&) { selectAllAction(workspace); },
+                 [&workspace, any] { return any() || activeActor(workspace); }});
     actions.add({"select.none", "Select None", "Alt+A", "", "Clears the selection",
-                 [&](const std::string&) { workspace.selection.points.clear(); }, any});
+                 [&](const std::string&) {
+                     workspace.selection.points.clear();
+                     workspace.selection.joints.clear();
+                 },
+                 [&workspace, any] { return any() || !workspace.selection.joints.empty(); }});
     actions.add({"select.invert", "Invert Selection", "Ctrl+I", "", "Selects what is not selected, and only that",
                  [&](const std::string&) { selectInvertAction(workspace); }, any});
     actions.add({"select.points", "Select Control Points…", "", "I,J,K…", "Selects control points by their indices",
@@ -153,8 +174,13 @@ void addSelectActions(Actions& actions, Workspace& workspace, ViewportTools& too
                  [&](const std::string&) { tools.lattice().armBox(); }, any});
     actions.add(
         {"tool.grab", "Move Selection", "G", "",
-         "The selected control points follow the mouse until a click; X, Y, Z lock an axis, digits type a distance",
-         [&](const std::string&) { tools.lattice().grab(toolContext(workspace)); }, some});
+         "The selected control points or joint follow the mouse until a click; X, Y, Z lock an axis, digits type a "
+         "distance",
+         [&](const std::string&) {
+             const ToolContext context = toolContext(workspace);
+             if (!tools.lattice().grab(context)) tools.joints().grab(context);
+         },
+         [&workspace, some] { return some() || !workspace.selection.joints.empty(); }});
 }
 
 }  // namespace
@@ -165,7 +191,9 @@ ToolContext toolContext(Workspace& workspace) {
             workspace.camera,
             workspace.viewSize,
             workspace.compiled.root ? &workspace.compiled : nullptr,
-            workspace.scale};
+            workspace.scale,
+            &workspace.actors,
+            workspace.timeline.autoKey};
 }
 
 void addToolActions(Actions& actions, Workspace& workspace, ViewportTools& tools) {

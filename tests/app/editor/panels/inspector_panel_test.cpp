@@ -206,25 +206,48 @@ TEST_F(InspectorTest, AnOperatorBecomesABlendWithAWeight) {
     EXPECT_THAT(document().undoNames(), ElementsAre("Change operator", "Change weight"));
 }
 
-TEST_F(InspectorTest, EditingATrackReplacesItAndSaysSo) {
-    open(R"({ "voledit": 1, "transfers": { "turn": { "type": "twist", "axis": "z",
+constexpr const char* kKeyedTwist = R"({ "voledit": 1, "transfers": { "turn": { "type": "twist", "axis": "z",
           "angle": { "keys": [[0, 10], [1, 30]] } } },
           "root": { "type": "transfer", "by": [{ "use": "turn" }],
                     "of": { "type": "solid", "shape": { "sphere": { "center": [0,0,0], "radius": 1 } },
-                            "color": [1,1,1], "opacity": 1 } } })",
-         "/root/by/0");
+                            "color": [1,1,1], "opacity": 1 } } })";
+
+const std::vector<PartTrack>& tracksOf(const Scene& scene, const std::string& name, const std::string& argument) {
+    const auto& use = std::get<LibraryTransfer>(scene.transfers.at(name)->kind);
+    return std::get<Tracked<std::vector<double>>>(use.arguments.at(argument)).tracks();
+}
+
+TEST_F(InspectorTest, EditingAValueThatHasKeysSetsTheOneOfTheTimeShown) {
+    open(kKeyedTwist, "/root/by/0");
     EXPECT_TRUE(ui.has("Angle animated"));
     workspace.time = 0.5;
     ui.frame();
     ui.enter("Angle", "45");
-    EXPECT_FALSE(ui.has("Angle animated"));
-    EXPECT_EQ(number("turn", "angle"), 45);
-    EXPECT_THAT(document().undoNames(), ElementsAre("Change angle"));
-    ASSERT_EQ(workspace.notices.size(), 1u);
-    EXPECT_THAT(workspace.notices[0].text, HasSubstr("undo"));
-    document().undo();
-    ui.frame(2);
     EXPECT_TRUE(ui.has("Angle animated"));
+    const std::vector<Track::Key>& keys = tracksOf(scene(), "turn", "angle").at(0).track.keys;
+    ASSERT_EQ(keys.size(), 3u);
+    EXPECT_EQ(keys[1].time, 0.5);
+    EXPECT_THAT(keys[1].value, ElementsAre(45));
+    EXPECT_THAT(keys[2].value, ElementsAre(30));
+    EXPECT_THAT(document().undoNames(), ElementsAre("Change angle"));
+    // Once more: the same key, not another beside it.
+    workspace.time = 0.5 + 1e-9;
+    ui.frame();
+    ui.enter("Angle", "50");
+    EXPECT_EQ(tracksOf(scene(), "turn", "angle").at(0).track.keys.size(), 3u);
+}
+
+TEST_F(InspectorTest, OnlyWithAutoKeyAnyOtherValueGetsKeys) {
+    open(kKeyedTwist, "/root/by/0");
+    workspace.time = 0.25;
+    ui.frame();
+    ui.enter("Amount", "0.5");
+    EXPECT_FALSE(transfer("turn").amount.animated());
+    workspace.timeline.autoKey = true;
+    ui.enter("Amount", "0.75");
+    ASSERT_TRUE(transfer("turn").amount.animated());
+    EXPECT_EQ(transfer("turn").amount.tracks()[0].track.keys[0].time, 0.25);
+    EXPECT_EQ(*transfer("turn").amount, 0.75);
 }
 
 TEST_F(InspectorTest, PlaceAndRecolourAndVolume) {

@@ -1,0 +1,60 @@
+#include "app/editor/timeline/key_row.h"
+
+#include <utility>
+
+#include "app/editor/theme.h"
+#include "app/editor/widget_parts.h"
+
+namespace voledit {
+
+namespace {
+
+constexpr Vec4f kAnimatedField{0.150f, 0.270f, 0.165f, 1}, kKeyedField{0.390f, 0.320f, 0.105f, 1};
+
+}  // namespace
+
+KeyRow::KeyRow(Workspace& workspace, ValuePath path, const char* label, KeyState state)
+    : workspace_(workspace), path_(std::move(path)), label_(label), state_(state), from_(ImGui::GetCursorScreenPos()) {
+    if (!path_.empty() && state_ != KeyState::None)
+        ImGui::PushStyleColor(ImGuiCol_FrameBg, packed(state_ == KeyState::Keyed ? kKeyedField : kAnimatedField));
+}
+
+KeyRow::~KeyRow() {
+    if (path_.empty()) return;
+    if (state_ != KeyState::None) ImGui::PopStyleColor();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const ImVec2 to(right, ImGui::GetItemRectMax().y);
+    if (!ImGui::IsRectVisible(from_, to)) return;
+    workspace_.timeline.fields.push_back({path_, Vec2(from_.x, from_.y), Vec2(to.x, to.y)});
+    menu();
+}
+
+void KeyRow::menu() const {
+    const std::string id = "##keys of " + path_;
+    const ImVec2 to = ImGui::GetItemRectMax();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && ImGui::IsWindowHovered() &&
+        ImGui::IsMouseHoveringRect(from_, ImVec2(right, to.y)))
+        ImGui::OpenPopup(id.c_str());
+    if (!ImGui::BeginPopup(id.c_str())) return;
+    const WidgetScope scope(ui::shownPart(label_));
+    const auto entry = [&](const char* title, const char* action, const char* keys, bool enabled) {
+        if (ImGui::MenuItem(title, keys, false, enabled)) workspace_.timeline.request = {action, path_};
+        noteWidget(title);
+    };
+    const bool keyed = state_ == KeyState::Keyed, animated = state_ != KeyState::None;
+    entry(keyed ? "Replace key" : "Insert key", "key.insert", "I", true);
+    entry("Delete key", "key.remove", "Alt+I", keyed);
+    entry("Clear keys", "key.clear", "", animated);
+    ImGui::Separator();
+    entry("Next key", "key.next", "", animated);
+    entry("Previous key", "key.previous", "", animated);
+    ImGui::EndPopup();
+}
+
+void runKeyRequest(Workspace& workspace) {
+    const auto [action, path] = std::exchange(workspace.timeline.request, {});
+    if (!action.empty()) workspace.actions.run(action, path);
+}
+
+}  // namespace voledit
