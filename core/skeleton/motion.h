@@ -53,11 +53,18 @@ struct MotionMap {
 
 /// The pose of `skeleton` at t seconds of `motion`. With A the rotation of skeletonFromMotion, R(t) the global rotation
 /// of the mapped motion joint: a mapped joint's global rotation is A·R(t)·A⁻¹·N, where N carries the skeleton's rest
-/// bone onto the direction of the motion's rest bone (the shortest arc between the directions to the nearest mapped
-/// descendant; identity where they agree or there is none), so that bones point as in the motion. Unmapped joints keep
-/// their rest rotation relative to the parent. A root (the topmost mapped joint) moves to skeletonFromMotion·x(t),
-/// also where N is not the identity. Where skeleton is skeletonOf(motion), all names are mapped to themselves and
+/// bone onto the direction of the motion's rest bone (the shortest arc between the directions to the mapped joint below;
+/// identity where they agree, where there is none, and for hubs, where there are several), so that bones point as in the
+/// motion. Unmapped joints keep their rest rotation relative to the parent. A root (the topmost mapped joint of its
+/// tree, if there is one) moves to skeletonFromMotion·x(t), also where N is not the identity. Position channels below
+/// the root count where the bone above is the motion's own (same vector after A), else bones keep their length. Names
+/// that are in neither are passed over. Where skeleton is skeletonOf(motion), all names are mapped to themselves and
 /// skeletonFromMotion is the identity, this is poseAt(motion, t), to rounding.
+///
+/// Two refinements: a skeletonFromMotion that turns the body otherwise than `proposedMotionFit` does turns all of it
+/// (bones are compared after that turn); and for motions whose rest pose is no posture at all (every bone along one
+/// axis), the frame in which the body stands most like the skeleton takes the rest pose's part.
+/// Throws Error where skeletonFromMotion has no inverse.
 Pose retargeted(const Skeleton& skeleton, const Motion& motion, const MotionMap& map, double t);
 
 /// Joints that mean the same, by name: equal ones; else by the usual words of BVH, MakeHuman, CMU, Mixamo and FBX rigs
@@ -67,11 +74,11 @@ Pose retargeted(const Skeleton& skeleton, const Motion& motion, const MotionMap&
 /// matches.
 std::map<std::string, std::string> matchingJoints(const Skeleton& skeleton, const Motion& motion);
 
-/// A similarity that lays the motion into the skeleton's space: turns the motion's up (of y and z, the one along which
-/// its rest pose reaches from feet to head; a sign, too) to the skeleton's and its left to the skeleton's left (by
-/// mapped joint pairs), scales by the ratio of the heights of the mapped joints at rest, and places the motion's first
-/// frame so that its root stands over the skeleton's rest root and its lowest mapped joint as high as the skeleton's
-/// lowest. Throws Error where fewer than two joints are mapped.
+/// A similarity that lays the motion into the skeleton's space: turns the motion's up to the skeleton's and its left to
+/// the skeleton's left (by the places of all mapped joints at rest; axes to axes where they nearly are), scales by the
+/// ratio of the legs' lengths (of all mapped bones where no legs are known), so that feet do not slide, and places the
+/// motion's first frame so that the skeleton's root stands over its rest place and its lowest mapped joint as high as at
+/// rest. Throws Error where fewer than two joints are mapped.
 Mat4 proposedMotionFit(const Skeleton& skeleton, const Motion& motion,
                        const std::map<std::string, std::string>& joints);
 
