@@ -127,6 +127,19 @@ std::string ValueName::pointer() const {
     return result;
 }
 
+bool ValueName::is(std::string_view pointer) const {
+    const auto take = [&](const std::string& token) {
+        if (!pointer.ends_with(token)) return false;
+        pointer.remove_suffix(token.size());
+        if (!pointer.ends_with('/')) return false;
+        pointer.remove_suffix(1);
+        return true;
+    };
+    if (index != kNone && !take(std::to_string(index))) return false;
+    if (!member.empty() && !take(pointerToken(std::string(member)))) return false;
+    return outer ? outer->is(pointer) : pointer.empty();
+}
+
 NodePath objectPath(const std::string& name) {
     return "/objects/" + pointerToken(name);
 }

@@ -9,7 +9,7 @@ namespace voledit {
 namespace {
 
 template <class Node>
-bool hasTracks(const Node& node) {
+bool anyTracks(const Node& node) {
     bool any = false;
     visitTracked(node, [&](const ValueName&, const auto& value) { any = any || value.animated(); });
     return any;
@@ -26,11 +26,20 @@ bool hasMotion(const Node& node) {
         node.kind);
 }
 
-template <class Node>
-bool anyWithin(const SharedValue<Node>& node) {
-    bool any = hasTracks(*node) || hasMotion(*node);
-    visitChildren(*node, [&](const ChildStep&, const auto& child) { any = any || anyWithin(child); });
+template <class Node, class Test>
+bool anyWithin(const SharedValue<Node>& node, const Test& test) {
+    bool any = test(*node);
+    visitChildren(*node, [&](const ChildStep&, const auto& child) { any = any || anyWithin(child, test); });
     return any;
+}
+
+template <class Test>
+bool anyNode(const Scene& scene, const Test& test) {
+    const auto inMap = [&](const auto& named) {
+        return std::any_of(named.begin(), named.end(),
+                           [&](const auto& entry) { return anyWithin(entry.second, test); });
+    };
+    return anyWithin(scene.root, test) || inMap(scene.objects) || inMap(scene.transfers) || inMap(scene.displacements);
 }
 
 /// Tables stay tables: a value that tracks carry below the one before is held up to it.
@@ -58,7 +67,7 @@ template <class Node>
 SharedValue<Node> nodeAt(const SharedValue<Node>& node, double t) {
     SharedValue<Node> result =
         withChildren(node, [t](const ChildStep&, const auto& child) { return nodeAt(child, t); });
-    if (!hasTracks(*node)) return result;
+    if (!anyTracks(*node)) return result;
     visitTracked(result.edit(), [t](const ValueName&, auto& value) { fix(value, t); });
     if constexpr (std::is_same_v<Node, Transfer>) {
         auto& amount = result.edit().amount;
@@ -67,18 +76,16 @@ SharedValue<Node> nodeAt(const SharedValue<Node>& node, double t) {
     return result;
 }
 
-template <class Map>
-bool anyInMap(const Map& named) {
-    return std::any_of(named.begin(), named.end(), [](const auto& entry) { return anyWithin(entry.second); });
-}
-
 }  // namespace
 
-bool animated(const Scene& scene) {
+bool hasTracks(const Scene& scene) {
     bool any = false;
     visitTrackedSettings(scene, [&](const ValueName&, const auto& value) { any = any || value.animated(); });
-    return any || anyWithin(scene.root) || anyInMap(scene.objects) || anyInMap(scene.transfers) ||
-           anyInMap(scene.displacements);
+    return any || anyNode(scene, [](const auto& node) { return anyTracks(node); });
+}
+
+bool animated(const Scene& scene) {
+    return hasTracks(scene) || anyNode(scene, [](const auto& node) { return hasMotion(node); });
 }
 
 Scene sceneAt(const Scene& scene, double t) {

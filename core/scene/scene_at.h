@@ -5,6 +5,8 @@
 
 namespace voledit {
 
+/// Whether anything in the scene has tracks.
+bool hasTracks(const Scene& scene);
 /// Whether anything in the scene has tracks or is moved by a motion. (Formulas over t change over time too, without
 /// any.)
 bool animated(const Scene& scene);

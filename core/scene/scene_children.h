@@ -98,6 +98,8 @@ struct ValueName {
     ValueName in(std::size_t number) const { return {{}, number, this}; }
     /// "/skeleton/joints/LeftArm/rotate"; "" for no name.
     std::string pointer() const;
+    /// Whether `pointer` says this name.
+    bool is(std::string_view pointer) const;
 };
 
 template <class Visit>

@@ -139,13 +139,8 @@ ordered_json toJson(const TrackedBox& box) {
     return {{"min", toJson(box.min)}, {"max", toJson(box.max)}};
 }
 
-ordered_json toJson(const TrackedFrame& tracked) {
-    if (tracked.form()) return std::visit([](const auto& form) { return toJson(form); }, *tracked.form());
-    const Frame& frame = tracked;
-    const Vec3 size{frame.edge[0].x, frame.edge[1].y, frame.edge[2].z};
-    const Box3 box{frame.corner, frame.corner + size};
-    if (size.x > 0 && size.y > 0 && size.z > 0 && frameOf(box) == frame) return toJson(TrackedBox(box));
-    return toJson(TrackedFrame::Oblique{frame.corner, {frame.edge[0], frame.edge[1], frame.edge[2]}});
+ordered_json toJson(const TrackedFrame& frame) {
+    return std::visit([](const auto& form) { return toJson(form); }, formOf(frame));
 }
 
 ordered_json toJson(const Appearance& appearance) {

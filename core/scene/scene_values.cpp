@@ -41,6 +41,15 @@ bool TrackedFrame::operator==(const TrackedFrame& other) const {
     return form_ && other.form_ && *form_ == *other.form_;
 }
 
+TrackedFrame::Form formOf(const TrackedFrame& tracked) {
+    if (tracked.form()) return *tracked.form();
+    const Frame& frame = tracked;
+    const Vec3 size{frame.edge[0].x, frame.edge[1].y, frame.edge[2].z};
+    const Box3 box{frame.corner, frame.corner + size};
+    if (size.x > 0 && size.y > 0 && size.z > 0 && frameOf(box) == frame) return TrackedBox(box);
+    return TrackedFrame::Oblique{frame.corner, {frame.edge[0], frame.edge[1], frame.edge[2]}};
+}
+
 Mat4 worldFromRest(const Placement& placement) {
     if (placement.matrix) return *placement.matrix;
     return placementMatrix(placement.translate, glm::radians(*placement.rotate), placement.scale);

@@ -53,6 +53,9 @@ private:
     std::shared_ptr<const Form> form_;  // null without tracks
 };
 
+/// How `frame` is written: as it was, or, without tracks, as a box where that gives the very same frame back.
+TrackedFrame::Form formOf(const TrackedFrame& frame);
+
 /// `translate`, `rotate` [degrees], `scale`, or a matrix (q to p) in their stead.
 struct Placement {
     Tracked<Vec3> translate{Vec3(0)};

@@ -146,12 +146,16 @@ void setKeysAt(std::vector<PartTrack>& tracks, const std::vector<double>& number
         const auto first = numbers.begin() + std::max(part, 0);
         const auto count = part == PartTrack::kWhole ? numbers.size() : track.keys[0].value.size();
         const std::vector<double> value(first, first + std::ptrdiff_t(count));
-        const auto at = std::lower_bound(track.keys.begin(), track.keys.end(), t,
-                                         [](const Track::Key& key, double time) { return key.time < time; });
-        if (at != track.keys.end() && at->time == t)
-            at->value = value;
-        else
-            track.keys.insert(at, {t, value});
+        const auto after = std::upper_bound(track.keys.begin(), track.keys.end(), t,
+                                            [](double time, const Track::Key& key) { return time < key.time; });
+        if (after == track.keys.begin()) {
+            track.keys.insert(after, {t, value, {}});
+        } else if (const auto before = after - 1; before->time == t) {
+            before->value = value;  // of a jump, what holds from then on
+        } else {
+            const auto interpolation = before->interpolation;
+            track.keys.insert(after, {t, value, interpolation});
+        }
     }
 }
 

@@ -70,6 +70,7 @@ private:
                 std::vector<double> key(numbers.begin() + long(first), numbers.begin() + long(first + count));
                 for (double& v : key) v = changed(v);
                 track.keys.push_back({t, key});
+                if (chance(4)) track.keys.back().interpolation = Track::Interpolation(below(3));
             }
             track.interpolation = Track::Interpolation(below(3));
             return track;
@@ -230,8 +231,56 @@ private:
         result.cells = {{0, 1, 2, 3, 4, 5, 6, 7}, {7, 6, 5, 4, 3, 2, 1, 0}};
         return result;
     }
+    Tracked<Rotation> rotation() { return tracked(Rotation{vector()}); }
+    std::vector<SceneJoint> joints(bool named) {
+        std::vector<SceneJoint> result;
+        for (const char* name : {"hip", "knee/~", "foot", "\"ü\""}) {
+            SceneJoint joint;
+            joint.name = name;
+            if (named && !result.empty()) joint.parent = chance() ? result.back().name : "hip";
+            if (named) joint.at = tracked(vector());
+            if (chance()) joint.rotate = rotation();
+            if (chance()) joint.translate = tracked(vector());
+            if (chance()) joint.limits = JointLimits{Vec3(-unit()), Vec3(unit(), 0, 180)};
+            result.push_back(joint);
+        }
+        if (named && chance()) std::swap(result.front(), result.back());  // the file's order is kept
+        return result;
+    }
+    SceneLimb limb(const std::string& name, int depth) {
+        SceneLimb result;
+        result.name = name;
+        result.from = "hip";
+        result.to = chance() ? "foot" : "knee/~";
+        if (chance()) result.size = tracked(Vec2(unit() + 1e-3, unit() + 1e-3), 1e-3, 1);
+        if (chance()) result.offset = tracked(Vec2(number(), unit()));
+        if (chance()) result.roll = tracked(number());
+        if (chance()) result.pad = tracked(Vec2(number(), unit()));
+        if (depth > 0 && chance()) result.of = ObjectRef(object(depth - 1));
+        return result;
+    }
+    ActorRig rig(int depth) {
+        ActorRig result;
+        const bool ofMotion = chance(3);
+        if (ofMotion) result.skeleton.motion = "b";
+        if (!ofMotion || chance()) result.skeleton.joints = joints(!ofMotion);
+        if (chance()) result.skeleton.fit = placement();
+        result.skeleton.limbs = {limb("leg", depth), limb("l/~\"", depth)};
+        if (chance()) result.motion = "b";
+        if (chance()) result.motionMap = {{"hip", "Hips"}, {"knee/~", ""}};
+        if (chance()) result.motionFit = chance() ? Placement{} : placement();
+        result.inPlace = chance();
+        result.allDisjoint = chance();
+        if (chance()) result.disjoint = {"foot", "hip"};
+        if (chance()) result.cells = {1 + below(3), 1 + below(3), 1 + below(5)};
+        if (chance()) result.miterLimit = 1 + unit();
+        result.smooth = chance();
+        result.preserveVolume = chance();
+        if (chance()) result.poses = {{"run/~", {{"hip", vector()}, {"foot", vector()}}}, {"rest", {}}};
+        return result;
+    }
     decltype(Transfer::kind) transferKind(int depth) {
-        switch (depth > 0 ? below(8) : below(5)) {
+        switch (depth > 0 ? below(9) : below(5)) {
             case 0:
                 return AffineTransfer{placement()};
             case 1:
@@ -254,6 +303,8 @@ private:
                 for (int n = 1 + below(3); n > 0; --n) sequence.of.emplace_back(transfer(depth - 1));
                 return sequence;
             }
+            case 7:
+                return SkeletonTransfer{rig(depth - 1), "leg"};
             default:
                 return TransferredTransfer{transfer(depth - 1), transfer(depth - 1)};
         }
@@ -351,7 +402,7 @@ private:
     Object object(int depth) {
         if (!objectNames_.empty() && chance(4))
             return {ObjectUse{objectNames_[std::size_t(below(int(objectNames_.size())))]}};
-        switch (depth > 0 ? below(9) : below(2)) {
+        switch (depth > 0 ? below(10) : below(2)) {
             case 0:
                 return {VolumeObject{asset(), below(3), Interpolation(below(3)), appearance()}};
             case 1:
@@ -375,6 +426,8 @@ private:
                 return {CvgObject{CvgOperator::Blend, {object(depth - 1), object(depth - 1)}, field(depth - 1)}};
             case 7:
                 return {DisplaceObject{displacement(depth - 1), object(depth - 1)}};
+            case 8:
+                return {ActorObject{chance() ? "walker" : "", rig(depth - 1), object(depth - 1)}};
             default:
                 if (chance()) return {fieldsObject(depth - 1)};
                 return {RecolorObject{chance() ? "opacity" : "heat", colorTable(),

@@ -195,8 +195,8 @@ std::vector<BadScene> badScenes() {
          "exclusive"},
         // Types of the contract that this version has not built.
         {sceneWith(R"({"type": "images", "asset": "h"})"), "/root", "\"images\" are not built yet in this version", ""},
-        {transferBy(R"({"type": "skeleton", "skeleton": {"motion": "h"}, "limb": "arm"})"), "/root/by/type",
-         "\"skeleton\" are not built yet", ""},
+        {transferBy(R"({"type": "skeleton", "skeleton": {"motion": "h"}, "limb": "arm"})"), "/root/by/skeleton/motion",
+         "not of kind \"motion\"", "name one that is"},
         // Names.
         {transferBy(R"({"type": "fdd"})"), "/root/by/type", "no type of transfer that voledit knows",
          "did you mean \"ffd\"?"},
