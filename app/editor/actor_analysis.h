@@ -10,7 +10,7 @@
 namespace voledit {
 
 /// A voxel is opaque from this opacity on, for rigging.
-inline constexpr double kOpaque = 0.1;
+inline constexpr double kOpaque = 0.05;
 
 /// The opaque voxels of `of` and their distances. Throws Error, Cancelled.
 std::shared_ptr<const ActorBody> bodyOf(const TermPtr& of, Progress* progress);

@@ -117,9 +117,8 @@ void setPose(Scene& scene, const CompiledActor& actor, const Pose& pose, const W
         if (!same(pose.rotate[j], actor.pose.rotate[j]))
             setJointRotation(scene, actor.path, name, ownRotation(actor, pose, int(j)), when);
         if (pose.translate[j] != actor.pose.translate[j]) {
-            // Own displacements act in the axes that the motion has turned.
-            const Vec3 own =
-                glm::inverse(actor.motionPose.rotate[j]) * (pose.translate[j] - actor.motionPose.translate[j]);
+            // In the parent's axes, as the motion's.
+            const Vec3 own = pose.translate[j] - actor.motionPose.translate[j];
             setJointTranslation(scene, actor.path, name, own, when);
         }
     }
