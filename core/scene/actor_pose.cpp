@@ -95,7 +95,7 @@ std::vector<SceneLimb> limbsOf(const SceneSkeleton& skeleton, const Skeleton& re
     return limbs;
 }
 
-std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion) {
+std::map<std::string, std::string> jointTable(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion) {
     const std::vector<std::string> known = namesOf(motion);
     const std::set<std::string> ofMotion(known.begin(), known.end());
     std::map<std::string, std::string> result;
@@ -109,12 +109,16 @@ std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skele
         result[joint] = motionJoint;
         taken.insert(motionJoint);
     }
-    for (const Joint& joint : skeleton.joints)
-        if (ofMotion.contains(joint.name) && !rig.motionMap.contains(joint.name) && !taken.contains(joint.name))
-            result[joint.name] = joint.name;
+    for (const auto& [joint, motionJoint] : matchingJoints(skeleton, motion))
+        if (!rig.motionMap.contains(joint) && !taken.contains(motionJoint)) result[joint] = motionJoint;
+    return result;
+}
+
+std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion) {
+    auto result = jointTable(rig, skeleton, motion);
     if (result.empty())
         throw Error("motion \"" + abridged(rig.motion) + "\"",
-                    "none of its joints (" + someOf(known) + ") matches one of the skeleton's (" +
+                    "none of its joints (" + someOf(namesOf(motion)) + ") matches one of the skeleton's (" +
                         someOf(namesOf(skeleton)) + ")",
                     "say which drives which in `motionMap`");
     return result;
@@ -123,13 +127,12 @@ std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skele
 Pose motionPoseOf(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion,
                   const std::map<std::string, std::string>& joints, double t) {
     if (playsItsOwn(rig)) return poseAt(motion, t);
-    // The joints' local rotations; the root stays.
-    Pose pose = restPose(skeleton);
-    const Pose theirs = poseAt(motion, t);
-    const Skeleton rest = skeletonOf(motion);
-    for (const auto& [joint, motionJoint] : joints)
-        pose.rotate[std::size_t(skeleton.find(joint))] = theirs.rotate[std::size_t(rest.find(motionJoint))];
-    return pose;
+    MotionMap map;
+    map.joints = joints;
+    if (rig.motionFit) map.skeletonFromMotion = worldFromRest(*rig.motionFit);
+    map.inPlace = rig.inPlace;
+    map.up = upOf(skeleton).axis;
+    return retargeted(skeleton, motion, map, t);
 }
 
 Pose withOwnRotations(Pose pose, const SceneSkeleton& own, const Skeleton& skeleton) {

@@ -27,7 +27,9 @@ int jointIn(const Skeleton& skeleton, const std::string& name, const std::string
 std::vector<SceneLimb> limbsOf(const SceneSkeleton& skeleton, const Skeleton& rest);
 
 /// Which joint of `motion` drives which of `skeleton`: the rig's `motionMap`, and for joints that it does not list
-/// `matchingJoints`, of what is left. Throws Error for names that the motion has not, and where nothing matches.
+/// `matchingJoints`, of what is left. May be empty. Throws Error for names that the skeleton or the motion has not.
+std::map<std::string, std::string> jointTable(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion);
+/// The same; throws Error, naming some joints of both, where nothing matches.
 std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion);
 
 /// The pose of the rig's motion alone at t seconds, by `joints` (`mappedJoints`).
