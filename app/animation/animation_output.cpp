@@ -35,7 +35,8 @@ bool isDigit(char c) {
 
 }  // namespace
 
-AnimationOutput::AnimationOutput(const fs::path& out) : path_(fs::absolute(out)), kind_(kindOf(out)) {
+AnimationOutput::AnimationOutput(const fs::path& out) : kind_(kindOf(out)) {
+    path_ = fs::absolute(out);
     if (isVideo()) {
         before_ = "frame-";
         after_ = ".png";

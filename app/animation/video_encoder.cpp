@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -68,7 +69,7 @@ std::string causeOf(ChildProcess& child) {
     const int status = child.wait();
     const std::string errors = child.errors();
     if (errors.find("No space left") != std::string::npos) return "no space left on the disk";
-    if (status == 128 + 25) return "the file is larger than this process may write";
+    if (status == 128 + SIGXFSZ) return "the file is larger than this process may write";
     return errors.empty() ? child.causeOfDeath() : firstLine(errors);
 }
 

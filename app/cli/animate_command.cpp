@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <set>
 
 #include "app/animation/animation_files.h"
@@ -35,7 +36,7 @@ struct AnimateArguments {
     InputArguments input;
     PictureArguments picture;
     std::string output, frames;
-    double fps = kNaN;
+    std::optional<double> fps;
     int crf = -1, workers = 0;
     bool resume = false;
     bool worker = false;  // draws the frames that its standard input names
@@ -52,8 +53,7 @@ AnimationOutput outputOf(const AnimateArguments& a) {
 
 void checkArguments(const AnimateArguments& a, AnimationKind kind) {
     a.picture.check();
-    if (!std::isnan(a.fps) && !(a.fps >= 0.01 && a.fps <= 1000))
-        throw UsageError("--fps: give a number from 0.01 to 1000");
+    if (a.fps && !(*a.fps >= 0.01 && *a.fps <= 1000)) throw UsageError("--fps: give a number from 0.01 to 1000");
     const int worst = kind == AnimationKind::Mp4 ? 51 : kind == AnimationKind::Webm ? 63 : -1;
     if (a.crf != -1 && worst < 0) throw UsageError("--crf is for .mp4 and .webm");
     if (a.crf < -1 || a.crf > std::max(worst, -1))
@@ -62,7 +62,7 @@ void checkArguments(const AnimateArguments& a, AnimationKind kind) {
 }
 
 double rateOf(const AnimateArguments& a, AnimationKind kind, const Scene& scene) {
-    const double fps = std::isnan(a.fps) ? scene.timeline.fps : a.fps;
+    const double fps = a.fps.value_or(scene.timeline.fps);
     // The format counts in hundredths of a second, and viewers slow down what is faster.
     if (kind == AnimationKind::Gif && fps > 50)
         throw Error(a.output, "a .gif shows at most 50 frames a second", "give --fps 50 or less");
@@ -176,7 +176,7 @@ int work(const AnimateArguments& a, const AnimationOutput& output) {
         IoClient io;
         OpenedScene opened = openFile(io, a.input.file, a.input.options());
         a.picture.applyTo(opened.scene);
-        FramePainter painter(io, std::move(opened), a.picture, a.fps,
+        FramePainter painter(io, std::move(opened), a.picture, a.fps.value(),
                              [&](const std::string& text) { say(WorkerWords::warning(text)); });
         for (int frame = 0; std::cin >> frame;)
             say(WorkerWords::done(painter.paint(frame, output.frameFile(frame), nullptr)));
@@ -254,7 +254,11 @@ Plan planOf(const AnimateArguments& a, const CommonArguments& common, AnimationK
 }
 
 void encodeVideo(const VideoEncoder& encoder, const CommonArguments& common, const AnimationOutput& output,
-                 const FrameRange& range) {
+                 const FrameRange& range, bool report) {
+    if (report) {
+        std::puts("encoding");
+        std::fflush(stdout);
+    }
     std::vector<fs::path> files;
     for (int n = range.first; n <= range.last; ++n) files.push_back(output.frameFile(n));
     withProgress("Encoding " + output.path().filename().string(), common.verbosity(),
@@ -278,13 +282,13 @@ int animate(const AnimateArguments& a, const CommonArguments& common) {
     FrameLines lines(a, common, plan.range.count() - int(frames.size()), plan.range.count());
     try {
         if (!frames.empty()) drawFrames(a, common, plan.fps, frames, record, lines);
-        if (encoder) encodeVideo(*encoder, common, output, plan.range);
+        if (encoder) encodeVideo(*encoder, common, output, plan.range, a.report);
     } catch (const std::exception& error) {
         if (lines.done() == 0) removeFrames(output);
         const bool stopped = dynamic_cast<const Cancelled*>(&error);
         if (!stopped) std::fprintf(stderr, "voledit: %s\n", error.what());
-        std::fprintf(stderr, "voledit: %s %d of %d frames are finished%s\n", stopped ? "stopped:" : "", lines.done(),
-                     lines.total(), lines.done() > 0 ? "; the same command with --resume goes on" : "");
+        std::fprintf(stderr, "voledit: %s%d of %d frames are finished%s\n", stopped ? "stopped; " : "", lines.done(),
+                     lines.total(), lines.done() > 0 ? ": the same command with --resume goes on" : "");
         return 1;
     }
     if (encoder) removeFrames(output);

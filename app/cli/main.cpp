@@ -98,8 +98,9 @@ void completeCommand(std::vector<char*>& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // A reader that went away (a closed pipe) shows as a failed write, not as a death.
+    // A reader that went away (a closed pipe) and a file that may not grow show as failed writes, not as deaths.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         std::vector<char*> arguments(argv, argv + argc);
         completeCommand(arguments);

@@ -168,6 +168,7 @@ void voleditWriteExr(const Picture& picture, const Source& target) {
         for (int c = 0; c < 3; ++c) p[c] = linearFromSrgb(p[c]);
     OIIO::ImageSpec spec(picture.size.x, picture.size.y, 4, OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("DateTime", "");  // else OpenImageIO writes the present: equal pictures shall be equal files
     write(target, spec, OIIO::TypeDesc::FLOAT, linear.pixels.data());
 }
 
