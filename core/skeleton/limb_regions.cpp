@@ -281,17 +281,24 @@ void RegionBuilder::writeBevel(std::size_t l) {
 }
 
 void RegionBuilder::writeBevelJacobians(std::size_t l) {
-    const JointFaces& faces = connections_[l]->posed;
+    const JointFaces &rest = connections_[l]->rest, &posed = connections_[l]->posed;
     const int count = bevelLayers(options_.miterLimit);
     std::vector<Mat3>& jacobian = regions_.cells.jacobian;
+    const auto about = [](const JointFaces& faces, double part) {
+        return faces.wedge > 0 ? glm::angleAxis(part * faces.wedge, faces.axis) : Quat(1, 0, 0, 0);
+    };
+    // A face's Jacobian, turned on by parts of both wedges; written about the identity, which stays so to the bit.
+    const auto turned = [&](const Mat3& of, double part) {
+        const Quat restTurn = about(rest, part), back = glm::conjugate(about(posed, part));
+        return glm::mat3_cast(restTurn) * (of - Mat3(1)) * glm::mat3_cast(back) + glm::mat3_cast(restTurn * back);
+    };
     const std::uint32_t first = bevelLayer(l, 0), last = bevelLayer(l, count);
     for (int s = 1; s < count; ++s) {
         const double part = double(s) / count;
-        const Mat3 backToEnd = glm::mat3_cast(glm::angleAxis(-part * faces.wedge, faces.axis));
-        const Mat3 onToStart = glm::mat3_cast(glm::angleAxis((1 - part) * faces.wedge, faces.axis));
-        for (std::uint32_t n = 0; n < grid_.layerSize(); ++n)
-            jacobian[bevelLayer(l, s) + n] =
-                (1 - part) * jacobian[first + n] * backToEnd + part * jacobian[last + n] * onToStart;
+        for (std::uint32_t n = 0; n < grid_.layerSize(); ++n) {
+            const Mat3 fromEnd = turned(jacobian[first + n], part), fromStart = turned(jacobian[last + n], part - 1);
+            jacobian[bevelLayer(l, s) + n] = fromEnd + part * (fromStart - fromEnd);
+        }
     }
 }
 
