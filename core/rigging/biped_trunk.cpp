@@ -75,10 +75,14 @@ void placeTrunk(const BodyShape& body, BipedJoints& joints) {
     };
     auto& trunk = joints.trunk;
     trunk[0] = middleAt(hips.y, hips);
-    // Parts of the spine between hips and neck, where rigs bend it: loins, waist, chest.
-    const std::array<double, 3> parts{0.15, 0.4, 0.66};
+    // Parts of the spine between hips and neck, where rigs bend it: loins, waist, and as high as the armpits, so that
+    // what tapers to the neck is above them.
+    const std::array<double, 3> parts{0.15, 0.42, 0.74};
     for (std::size_t i = 0; i < 3; ++i) trunk[i + 1] = middleAt(glm::mix(hips.y, neck.base, parts[i]), trunk[i]);
     trunk[4] = middleAt(neck.base, trunk[3]);
+    // A belly or a breast draws the middle of a section forward; the spine bends less.
+    for (std::size_t i = 1; i < 4; ++i)
+        trunk[i].z = glm::mix(trunk[i].z, glm::mix(trunk[0].z, trunk[4].z, parts[i - 1]), 0.6);
     trunk[5] = middleAt(neck.skull, trunk[4]);
     // The skull's pivot is above the neck, not in the middle of the face.
     trunk[5].z = glm::mix(trunk[4].z, trunk[5].z, 0.25);

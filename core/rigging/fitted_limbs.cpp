@@ -5,6 +5,8 @@
 
 #include "core/base/parallel.h"
 #include "core/rigging/body_shape.h"
+#include "core/rigging/box_trim.h"
+#include "core/rigging/grid_steps.h"
 #include "core/rigging/limb_boxes.h"
 #include "core/rigging/rest_hexahedra.h"
 #include "core/rigging/rig.h"
@@ -15,29 +17,22 @@ namespace {
 
 /// Boxes that grow until the regions between them hold all rims: regions are not boxes, since at every connected joint
 /// the corners of two are averaged, so what sticks out is found with the regions themselves.
-class BoxFit {
+class Growth {
 public:
-    BoxFit(const std::vector<PosedJoint>& rest, std::vector<Limb>& limbs, const std::vector<bool>& fit, double step)
-        : rest_(rest), limbs_(limbs), fit_(fit), step_(step), next_(limbs.size(), -1), previous_(limbs.size(), -1) {
-        for (std::size_t l = 0; l < limbs.size(); ++l) {
-            next_[l] = continuationOf(limbs, rest, static_cast<int>(l), {});
-            if (next_[l] >= 0) previous_[std::size_t(next_[l])] = static_cast<int>(l);
-        }
-    }
+    Growth(std::vector<Limb> limbs, const FitProblem& problem) : problem_(problem), limbs_(std::move(limbs)) {}
 
-    bool fits(std::size_t l) const { return fit_.empty() || fit_[l]; }
-
-    /// Grows the boxes round by round; each voxel of a rim is to lie in its own limb's region or in one connected to
+    /// Grows the boxes round by round; each voxel of a rim is to lie in its own limb's region or in one that touches
     /// it.
-    void grow(const std::vector<std::vector<Vec3>>& rims) {
-        constexpr int kMostRounds = 40;
+    std::vector<Limb> run() {
+        constexpr int kMostRounds = 80;
         for (int round = 0; round < kMostRounds; ++round) {
-            hexahedra_ = restHexahedra(limbs_, rest_);
+            hexahedra_ = restHexahedra(limbs_, problem_.rest);
             growth_.assign(limbs_.size(), {});
             for (std::size_t l = 0; l < limbs_.size(); ++l)
-                for (const Vec3& p : rims[l]) demand(l, p);
-            if (!applyGrowth()) return;
+                for (const Vec3& p : problem_.rims[l]) demand(l, p);
+            if (!applyGrowth()) break;
         }
+        return std::move(limbs_);
     }
 
 private:
@@ -57,41 +52,56 @@ private:
         const Vec3 out = glm::max(Vec3(0), glm::max(-e.local, e.local - 1.0));
         e.world = {out.x * glm::length(edges[0]), out.y * glm::length(edges[1]), out.z * glm::length(edges[2])};
         // Past a face that it shares, a limb cannot grow: there the other one is.
-        const bool blocked =
-            (e.local.z < 0 && previous_[std::size_t(limb)] >= 0) || (e.local.z > 1 && next_[std::size_t(limb)] >= 0);
-        e.total = e.world.x + e.world.y + e.world.z + (blocked ? 1e3 * step_ + 10 * e.world.z : 0);
+        const bool blocked = (e.local.z < 0 && problem_.previous[std::size_t(limb)] >= 0) ||
+                             (e.local.z > 1 && problem_.next[std::size_t(limb)] >= 0);
+        e.total = e.world.x + e.world.y + e.world.z + (blocked ? 1e3 * problem_.step + 10 * e.world.z : 0);
         return e;
     }
 
     void demand(std::size_t owner, const Vec3& p) {
         int best = -1;
         Excess least;
-        for (const int l : {int(owner), previous_[owner], next_[owner]}) {
+        for (const int l : {int(owner), problem_.previous[owner], problem_.next[owner]}) {
             if (l < 0) continue;
             const Excess e = excessOf(l, p);
-            if (e.total <= 1e-9 * step_) return;
-            if (e.total < least.total && fits(std::size_t(l))) {
+            if (e.total <= 1e-9 * problem_.step) return;
+            if (e.total < least.total && problem_.fit[std::size_t(l)]) {
                 least = e;
                 best = l;
             }
         }
+        // Where limbs branch, one may hold what is another's.
+        for (const int l : problem_.attached[owner])
+            if (excessOf(l, p).total <= 1e-9 * problem_.step) return;
         if (best >= 0) note(std::size_t(best), least);
     }
 
+    /// A section's corner moves with the limb's own box and, next to a connected end, with its neighbour's: the growth
+    /// asked for is the least in sum of squares over the three boxes that brings the point in.
     void note(std::size_t l, const Excess& e) {
-        // The grid of a region may be turned by quarters against the bone frame.
-        const Mat3 frame = boneFrame(directionOf(limbs_[l], rest_), limbs_[l].roll);
+        const double w = std::clamp(e.local.z, 0.0, 1.0);
+        const int before = problem_.previous[l], after = problem_.next[l];
+        const double ofBefore = before >= 0 && problem_.fit[std::size_t(before)] ? 0.5 * (1 - w) : 0;
+        const double ofAfter = after >= 0 && problem_.fit[std::size_t(after)] ? 0.5 * w : 0;
+        const double own = (1 - w) * (before >= 0 ? 0.5 : 1) + w * (after >= 0 ? 0.5 : 1);
+        const double norm = own * own + ofBefore * ofBefore + ofAfter * ofAfter;
         for (int a = 0; a < 2; ++a) {
             if (e.world[a] <= 0) continue;
-            const Vec3 edge = glm::transpose(frame) * hexahedra_[l].middleEdges()[a];
-            const int axis = std::abs(edge.x) > std::abs(edge.y) ? 0 : 1;
-            const bool high = (e.local[a] > 1) == (edge[axis] > 0);
-            raise(growth_[l][std::size_t(2 * axis + (high ? 1 : 0))], e.world[a]);
+            const Vec3 outward = (e.local[a] > 1 ? 1.0 : -1.0) * glm::normalize(hexahedra_[l].middleEdges()[a]);
+            raise(l, outward, own / norm * e.world[a]);
+            if (ofBefore > 0) raise(std::size_t(before), outward, ofBefore / norm * e.world[a]);
+            if (ofAfter > 0) raise(std::size_t(after), outward, ofAfter / norm * e.world[a]);
         }
-        if (e.world.z > 0 && e.local.z < 0 && previous_[l] < 0) raise(growth_[l][4], e.world.z);
-        if (e.world.z > 0 && e.local.z > 1 && next_[l] < 0) raise(growth_[l][5], e.world.z);
+        if (e.world.z > 0 && e.local.z < 0 && before < 0) raise(growth_[l][4], e.world.z);
+        if (e.world.z > 0 && e.local.z > 1 && after < 0) raise(growth_[l][5], e.world.z);
     }
-    void raise(double& side, double by) const { side = std::max(side, std::min(by, step_)); }
+    /// The side of limb l's box that looks most along `outward`.
+    void raise(std::size_t l, const Vec3& outward, double by) {
+        const Vec3 d = glm::transpose(boneFrame(directionOf(limbs_[l], problem_.rest), limbs_[l].roll)) * outward;
+        const int axis = std::abs(d.x) > std::abs(d.y) ? 0 : 1;
+        raise(growth_[l][std::size_t(2 * axis + (d[axis] > 0 ? 1 : 0))], by);
+    }
+    void raise(double& side, double by) const { side = std::max(side, std::min(by, 0.5 * problem_.step)); }
 
     bool applyGrowth() {
         bool grown = false;
@@ -106,32 +116,66 @@ private:
         return grown;
     }
 
-    const std::vector<PosedJoint>& rest_;
-    std::vector<Limb>& limbs_;
-    const std::vector<bool>& fit_;
-    double step_;
-    std::vector<int> next_, previous_;
+    const FitProblem& problem_;
+    std::vector<Limb> limbs_;
     std::vector<RestHexahedron> hexahedra_;
     std::vector<Sides> growth_;
 };
+
+/// For each limb in whose bone's start no other limb ends or begins, the limb that it begins in; −1 else.
+std::vector<int> basesOf(const OpaqueVoxels& voxels, const std::vector<std::int16_t>& parts,
+                         const std::vector<PosedJoint>& rest, const std::vector<Limb>& limbs) {
+    std::vector<int> bases(limbs.size(), -1);
+    for (std::size_t l = 0; l < limbs.size(); ++l) {
+        const bool isLoose = std::none_of(limbs.begin(), limbs.end(), [&](const Limb& other) {
+            return other.to == limbs[l].from || (&other != &limbs[l] && other.from == limbs[l].from);
+        });
+        const Index3 c = cellAt(voxels, rest[std::size_t(limbs[l].from)].position);
+        if (isLoose && isInside(voxels, c)) bases[l] = parts[voxels.indexOf(c)];
+        if (bases[l] == int(l)) bases[l] = -1;
+    }
+    return bases;
+}
+
+FitProblem problemOf(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest, const std::vector<int>& bases,
+                     const std::vector<std::vector<Vec3>>& rims, double step) {
+    const std::size_t n = limbs.size();
+    FitProblem problem{rest, std::vector<bool>(n, true), std::vector<int>(n, -1), std::vector<int>(n, -1), {}, rims,
+                       step};
+    problem.attached.resize(n);
+    for (std::size_t l = 0; l < n; ++l) {
+        problem.next[l] = continuationOf(limbs, rest, static_cast<int>(l), {});
+        if (problem.next[l] >= 0) problem.previous[std::size_t(problem.next[l])] = static_cast<int>(l);
+    }
+    for (std::size_t l = 0; l < n; ++l)
+        for (std::size_t k = 0; k < n; ++k) {
+            const bool touch = limbs[k].from == limbs[l].from || limbs[k].to == limbs[l].from ||
+                               limbs[k].from == limbs[l].to || bases[l] == int(k) || bases[k] == int(l);
+            if (k != l && touch && problem.next[l] != int(k) && problem.previous[l] != int(k))
+                problem.attached[l].push_back(static_cast<int>(k));
+        }
+    return problem;
+}
 
 }  // namespace
 
 std::vector<Limb> fittedLimbs(const OpaqueVoxels& voxels, const std::vector<PosedJoint>& rest, std::vector<Limb> limbs,
                               const std::vector<bool>& fit, const RigOptions& options) {
     const OpaqueVoxels solid = withoutCavities(voxels);
-    const auto rims = rimsOf(solid, limbParts(solid, distanceField(solid), limbs, rest), limbs.size());
+    const auto parts = limbParts(solid, distanceField(solid), limbs, rest);
+    const auto rims = rimsOf(solid, parts, limbs.size());
     const double step = std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z});
-    BoxFit boxes(rest, limbs, fit, step);
+    FitProblem problem = problemOf(limbs, rest, basesOf(solid, parts, rest, limbs), rims, step);
+    if (!fit.empty()) problem.fit = fit;
     for (std::size_t l = 0; l < limbs.size(); ++l) {
-        if (!boxes.fits(l)) continue;
+        if (!problem.fit[l]) continue;
         LimbExtents extents = extentsOf(limbs[l], rest, rims[l]);
         if (extents.empty()) extents = {Vec3(0), Vec3(0)};
         limbs[l] = boxed(limbs[l], rest, extents, 1e-3 * step);
     }
-    boxes.grow(rims);
+    limbs = trimmed(Growth(std::move(limbs), problem).run(), problem);
     for (std::size_t l = 0; l < limbs.size(); ++l) {
-        if (!boxes.fits(l)) continue;
+        if (!problem.fit[l]) continue;
         limbs[l].size += 2 * options.margin * step;
         limbs[l].pad += options.margin * step;
     }

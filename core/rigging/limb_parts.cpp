@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
 #include <queue>
 
 #include "core/base/parallel.h"
@@ -149,31 +150,89 @@ void joinLoose(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const
     });
 }
 
-/// Where several limbs begin at one joint, none keeps what lies behind the joint as its bone points: the one that
-/// points there most takes it. They all turn with that joint, so nothing tears between them, and their boxes overlap
-/// less.
+/// Limbs that begin at one joint. They all turn with it, so nothing tears between them, and what is whose is free to
+/// choose: so that their boxes, which begin in planes across the bones, overlap little.
+class Hub {
+public:
+    Hub(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
+        std::vector<int> sisters)
+        : voxels_(voxels),
+          joint_(rest[std::size_t(limbs[std::size_t(sisters.front())].from)].position),
+          sisters_(std::move(sisters)) {
+        for (const int l : sisters_)
+            frames_.push_back(
+                boneFrame(glm::normalize(rest[std::size_t(limbs[std::size_t(l)].to)].position - joint_), 0));
+    }
+
+    void share(std::vector<std::int16_t>& parts) const {
+        turnBack(parts);
+        giveToBroadest(parts);
+    }
+
+private:
+    Vec3 local(std::size_t s, std::size_t voxel) const {
+        return glm::transpose(frames_[s]) * (voxels_.centre(cellOf(voxels_, voxel)) - joint_);
+    }
+    /// Which sister a part is of; −1 for none.
+    int sisterOf(std::int16_t part) const {
+        const auto found = std::find(sisters_.begin(), sisters_.end(), int(part));
+        return found == sisters_.end() ? -1 : static_cast<int>(found - sisters_.begin());
+    }
+
+    /// None keeps what lies behind the joint as its bone points: the one that points there most takes it.
+    void turnBack(std::vector<std::int16_t>& parts) const {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const int own = sisterOf(parts[i]);
+            if (own < 0 || local(std::size_t(own), i).z >= 0) continue;
+            double most = 0;
+            for (std::size_t s = 0; s < sisters_.size(); ++s)
+                if (const double z = local(s, i).z; z > most) {
+                    most = z;
+                    parts[i] = static_cast<std::int16_t>(sisters_[s]);
+                }
+        }
+    }
+
+    /// One may take all of the others' that lies before the joint as its own bone points, if its box need hardly grow
+    /// for that: the trunk takes the flanks above the hips.
+    void giveToBroadest(std::vector<std::int16_t>& parts) const {
+        constexpr double kHardly = 1.15;
+        std::vector<Box3> own(sisters_.size()), all(sisters_.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const int of = sisterOf(parts[i]);
+            if (of < 0) continue;
+            for (std::size_t s = 0; s < sisters_.size(); ++s) {
+                const Vec3 p = local(s, i);
+                if (p.z < 0) continue;
+                all[s] = join(all[s], p);
+                if (of == int(s)) own[s] = join(own[s], p);
+            }
+        }
+        double least = kHardly;
+        std::size_t taker = sisters_.size();
+        for (std::size_t s = 0; s < sisters_.size(); ++s) {
+            const Vec3 a = own[s].size(), b = all[s].size();
+            if (const double growth = b.x * b.y / std::max(a.x * a.y, 1e-300); growth < least)
+                std::tie(least, taker) = std::pair(growth, s);
+        }
+        if (taker == sisters_.size()) return;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (sisterOf(parts[i]) >= 0 && local(taker, i).z >= 0)
+                parts[i] = static_cast<std::int16_t>(sisters_[taker]);
+    }
+
+    const OpaqueVoxels& voxels_;
+    const Vec3 joint_;
+    const std::vector<int> sisters_;
+    std::vector<Mat3> frames_;
+};
+
 void shareHubs(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
                std::vector<std::int16_t>& parts) {
-    std::vector<std::vector<std::size_t>> sisters(limbs.size());
-    for (std::size_t l = 0; l < limbs.size(); ++l)
-        for (std::size_t k = 0; k < limbs.size(); ++k)
-            if (k != l && limbs[k].from == limbs[l].from) sisters[l].push_back(k);
-    const auto along = [&](std::size_t l, const Vec3& p) {
-        const Vec3 from = rest[std::size_t(limbs[l].from)].position;
-        return glm::dot(p - from, glm::normalize(rest[std::size_t(limbs[l].to)].position - from));
-    };
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i] == kNoLimb || sisters[std::size_t(parts[i])].empty()) continue;
-        const Vec3 p = voxels.centre(cellOf(voxels, i));
-        const auto own = std::size_t(parts[i]);
-        if (along(own, p) >= 0) continue;
-        double most = 0;
-        for (const std::size_t k : sisters[own])
-            if (const double a = along(k, p); a > most) {
-                most = a;
-                parts[i] = static_cast<std::int16_t>(k);
-            }
-    }
+    std::map<int, std::vector<int>> beginning;
+    for (int l = 0; l < static_cast<int>(limbs.size()); ++l) beginning[limbs[std::size_t(l)].from].push_back(l);
+    for (const auto& [joint, sisters] : beginning)
+        if (sisters.size() > 1) Hub(voxels, limbs, rest, sisters).share(parts);
 }
 
 }  // namespace

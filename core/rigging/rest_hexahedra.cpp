@@ -27,8 +27,9 @@ Vec3 RestHexahedron::local(const Vec3& p) const {
                c.x * c.y * c.z * k[7];
     };
     // From the linear map at the middle; a few steps, since tapered boxes are nearly linear.
+    constexpr double kConverged = 1e-8;
     Vec3 c = Vec3(0.5) + inverse_ * (p - at(Vec3(0.5)));
-    for (int i = 0; i < 6 && isDefined(c); ++i) {
+    for (int i = 0; i < 8 && isDefined(c); ++i) {
         c = glm::clamp(c, Vec3(-2), Vec3(3));
         const Mat3 j(k[1] + c.y * k[4] + c.z * k[5] + c.y * c.z * k[7],
                      k[2] + c.x * k[4] + c.z * k[6] + c.x * c.z * k[7],
@@ -37,9 +38,9 @@ Vec3 RestHexahedron::local(const Vec3& p) const {
         if (det == 0) return kUndefined;
         const Vec3 step = glm::inverse(j) * (p - at(c));
         c += step;
-        if (glm::dot(step, step) < 1e-16) break;
+        if (glm::dot(step, step) < kConverged * kConverged) return c;
     }
-    return c;
+    return kUndefined;
 }
 
 std::vector<RestHexahedron> restHexahedra(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest) {

@@ -12,9 +12,13 @@ class RestHexahedron {
 public:
     explicit RestHexahedron(const std::array<Vec3, 8>& corners);
 
-    /// Coordinates (u, v, w) of p, each in [0, 1] within, by Newton's method on the trilinear map from the middle; far
-    /// outside they only tell the side. kUndefined where the map cannot be inverted.
+    /// Coordinates (u, v, w) of p, each in [0, 1] within, by Newton's method on the trilinear map, at most 8 steps from
+    /// the middle. kUndefined where it does not converge, far outside.
     Vec3 local(const Vec3& p) const;
+    bool holds(const Vec3& p) const {
+        const Vec3 c = local(p);
+        return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x <= 1 && c.y <= 1 && c.z <= 1;
+    }
     /// Change of the point with u, v and w at the middle, as columns.
     const Mat3& middleEdges() const { return edges_; }
 
