@@ -23,16 +23,21 @@ struct Lines {
 void add(std::span<const Vec3> deformed, std::span<const Vec3> source, const Lines& lines, const Vec3& cells,
          Sum& sum) {
     Mat3 p, u;
+    double deformedSquare = 1, restSquare = 1;  // of the products of the lines' lengths
     for (int a = 0; a < 3; ++a) {
         const std::uint32_t behind = lines.behind[a], ahead = lines.ahead[a];
+        const Vec3 q = (source[ahead] - source[behind]) * cells[a];
         p[a] = (deformed[ahead] - deformed[behind]) * cells[a];
-        u[a] = p[a] - (source[ahead] - source[behind]) * cells[a];
+        u[a] = p[a] - q;
+        deformedSquare *= glm::dot(p[a], p[a]);
+        restSquare *= glm::dot(q, q);
     }
     const Vec3 yz = glm::cross(p[1], p[2]);
     const Mat3 adjugate = glm::transpose(Mat3(yz, glm::cross(p[2], p[0]), glm::cross(p[0], p[1])));
     const double volume = glm::dot(p[0], yz);
-    // A region that is nearly flat has no useful inverse: what one such vertex says must not drown its neighbours.
-    const double least = 1e-3 * std::sqrt(glm::dot(p[0], p[0]) * glm::dot(p[1], p[1]) * glm::dot(p[2], p[2]));
+    // A region that is nearly flat, or nearly a line, has no useful inverse: what one such vertex says must not drown
+    // its neighbours.
+    const double least = 1e-3 * std::sqrt(std::max(deformedSquare, restSquare));
     const double bounded = std::max(std::abs(volume), least);
     if (!(bounded > 0)) return;
     sum.moved += u * adjugate * (std::copysign(1.0, volume) * std::abs(volume) / bounded);

@@ -7,53 +7,13 @@
 #include <glm/matrix.hpp>
 
 #include "core/base/error.h"
-#include "random_skeletons.h"
+#include "elbow.h"
 #include "tests/support/joint_gaps.h"
 
 namespace voledit {
 namespace {
 
 using testing::HasSubstr;
-
-Limb limbBetween(int from, int to, const Vec2& size = Vec2(1)) {
-    Limb limb;
-    limb.name = "limb " + std::to_string(from);
-    limb.from = from;
-    limb.to = to;
-    limb.size = size;
-    return limb;
-}
-
-/// A chain of two bones, three units each, along z.
-struct Elbow {
-    Skeleton skeleton{{{"a", Joint::kNoParent, Vec3(0.3, 0.2, 0.1), {}},
-                       {"b", 0, Vec3(0.3, 0.2, 3.1), {}},
-                       {"c", 1, Vec3(0.3, 0.2, 6.1), {}}}};
-    std::vector<Limb> limbs{limbBetween(0, 1), limbBetween(1, 2)};
-    RegionOptions options;
-    std::vector<PosedJoint> rest() const { return posedJoints(skeleton, restPose(skeleton)); }
-    LimbRegions bent(const Quat& elbow) const {
-        Pose pose = restPose(skeleton);
-        pose.rotate[1] = elbow;
-        return limbRegions(limbs, rest(), posedJoints(skeleton, pose), options);
-    }
-    LimbRegions bent(const Vec3& degrees) const { return bent(quatOfDegrees(degrees)); }
-};
-
-/// Deformed volume of all cells, by their tetrahedra.
-double volumeOf(const LimbRegions& regions) {
-    double sum = 0;
-    for (const auto& h : regions.cells.hexahedra)
-        for (const auto& t : kHexahedronTetrahedra) {
-            const auto at = [&](std::size_t n) { return regions.cells.deformed[h[std::size_t(t[n])]]; };
-            sum += glm::dot(at(1) - at(0), glm::cross(at(2) - at(0), at(3) - at(0))) / 6;
-        }
-    return sum;
-}
-
-double largest(const Mat3& m) {
-    return std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-}
 
 TEST(BoneFrame, IsRightHandedAndFollowsWorldX) {
     Random random(1);
