@@ -32,7 +32,8 @@ struct Pairing {
     Skeleton source;             // of the motion
     std::vector<int> driver;     // of each joint of the skeleton: the motion's joint; kNone
     std::vector<int> above;      // the nearest driven joint above; kNone
-    std::vector<int> onlyBelow;  // the one driven joint below with none between; kNone where there is none or several
+    std::vector<int> below;      // how many driven joints are below with none between
+    std::vector<int> onlyBelow;  // the one such; kNone where there is none or several
     std::vector<int> driven;     // joints of the skeleton, ascending
     std::vector<bool> endSite;   // of the motion's joints
 
@@ -45,7 +46,7 @@ struct Pairing {
         driver.assign(count, kNone);
         above.assign(count, kNone);
         onlyBelow.assign(count, kNone);
-        std::vector<int> below(count, 0);
+        below.assign(count, 0);
         for (std::size_t j = 0; j < count; ++j) {
             const auto named = joints.find(target.joints[j].name);
             const auto found = named == joints.end() ? index.end() : index.find(named->second);
@@ -101,6 +102,11 @@ Vec3 axisVector(int axis, double sign) {
     return v;
 }
 
+/// Angle of a rotation, radians.
+double turnOf(const Quat& rotation) {
+    return 2 * std::atan2(glm::length(Vec3(rotation.x, rotation.y, rotation.z)), std::abs(rotation.w));
+}
+
 /// The rotation itself or, where it is nearly one of the 24 that carry axes to axes, that one: rest poses are seldom
 /// quite symmetric, and a motion should not lean for it.
 Quat straightened(const Quat& rotation) {
@@ -115,8 +121,7 @@ Quat straightened(const Quat& rotation) {
     }
     if (std::abs(glm::determinant(straight) - 1) > 0.5) return rotation;
     const Quat found = glm::normalize(glm::quat_cast(straight));
-    const double turn = 2 * std::acos(std::min(1.0, std::abs(glm::dot(found, rotation))));
-    return turn < nearly ? found : rotation;
+    return turnOf(glm::conjugate(found) * rotation) < nearly ? found : rotation;
 }
 
 /// The motion's rest pose. In some files it is no posture at all, but all bones along one axis: then the frame, among a
@@ -125,7 +130,6 @@ Reference chosenReference(const Pairing& pairing, const Motion& motion) {
     constexpr double alike = 0.8, better = 0.05;
     constexpr std::size_t looks = 32;
     Reference rest = referenceOf(pairing, restPose(pairing.source));
-    rest.aligned = straightened(rest.aligned);
     rest.isRest = true;
     if (rest.likeness >= alike || motion.frames == 0) return rest;
     Reference best = rest;
@@ -155,6 +159,18 @@ Similarity similarityOf(const Mat4& matrix) {
     return {glm::normalize(glm::quat_cast(Mat3(x, glm::cross(z, x), z))), scale};
 }
 
+/// The turn from the motion's axes to the skeleton's: its up to the skeleton's up, its left to the skeleton's left.
+Quat uprightTurn(const Skeleton& skeleton, const Quat& aligned) {
+    const UpAxis up = upOf(skeleton);
+    const Vec3 ownUp = axisVector(up.axis, up.sign);
+    const Vec3 theirUp = glm::conjugate(aligned) * ownUp;
+    int axis = 0;
+    for (int a = 1; a < 3; ++a)
+        if (std::abs(theirUp[a]) > std::abs(theirUp[axis])) axis = a;
+    const Vec3 straight = axisVector(axis, theirUp[axis] < 0 ? -1 : 1);
+    return straightened(glm::normalize(shortestArc(aligned * straight, ownUp) * aligned));
+}
+
 class Retargeting {
 public:
     Retargeting(const Skeleton& skeleton, const Motion& motion, const MotionMap& map)
@@ -163,8 +179,7 @@ public:
           similarity_(similarityOf(map.skeletonFromMotion)),
           turn_(similarity_.rotation),
           reference_(chosenReference(pairing_, motion)) {
-        // As the body stands in the skeleton's space at the reference.
-        const Quat body = turn_ * glm::conjugate(reference_.aligned);
+        const Quat body = bodyAtReference();
         correction_.assign(skeleton.joints.size(), Quat(1, 0, 0, 0));
         for (const int j : pairing_.driven)
             correction_[std::size_t(j)] = glm::conjugate(carried(reference_.rotations, j)) * boneTurn(j, body) * body;
@@ -197,6 +212,14 @@ public:
     int root() const { return pairing_.driven.empty() ? kNone : pairing_.driven.front(); }
 
 private:
+    /// How the motion's body stands in the skeleton's space at the reference, from the skeleton's rest.
+    Quat bodyAtReference() const {
+        const Quat exact = turn_ * glm::conjugate(reference_.aligned);
+        constexpr double same = 1e-3;
+        if (!reference_.isRest || turnOf(exact) < same) return exact;
+        return turn_ * glm::conjugate(uprightTurn(pairing_.skeleton, reference_.aligned));
+    }
+
     const Joint& joint(int j) const { return pairing_.skeleton.joints[std::size_t(j)]; }
     int driver(int j) const { return pairing_.driver[std::size_t(j)]; }
 
@@ -208,15 +231,25 @@ private:
 
     /// Turns the skeleton's rest bone, standing as the body does, to where the motion's points at the reference.
     Quat boneTurn(int j, const Quat& body) const {
+        while (!hasBone(j)) {
+            // A rest pose says how a hand or a head is held; where there is none, it is held as the bone above.
+            const bool isHub = pairing_.below[std::size_t(j)] > 1;
+            if (reference_.isRest || isHub || pairing_.above[std::size_t(j)] == kNone) return {1, 0, 0, 0};
+            j = pairing_.above[std::size_t(j)];
+        }
         const int end = pairing_.onlyBelow[std::size_t(j)];
-        if (end == kNone || !pairing_.sourceIsBelow(driver(end), driver(j))) return {1, 0, 0, 0};
-        // Where a file's rest pose is no posture, its end sites are no ends: nothing was ever measured there.
-        if (!reference_.isRest && pairing_.endSite[std::size_t(driver(end))]) return {1, 0, 0, 0};
         const Vec3 own = body * (joint(end).at - joint(j).at);
         const Vec3 theirs = carried(reference_.places[std::size_t(driver(end))].position -
                                     reference_.places[std::size_t(driver(j))].position);
         if (!(glm::length(own) > 0) || !(glm::length(theirs) > 0)) return {1, 0, 0, 0};
         return shortestArc(own, theirs);
+    }
+
+    bool hasBone(int j) const {
+        const int end = pairing_.onlyBelow[std::size_t(j)];
+        if (end == kNone || !pairing_.sourceIsBelow(driver(end), driver(j))) return false;
+        // Where a file's rest pose is no posture, its end sites are no ends: nothing was ever measured there.
+        return reference_.isRest || !pairing_.endSite[std::size_t(driver(end))];
     }
 
     /// Whether `j` carries its tree with it: no driven joint above it, nor another such in its tree.
@@ -260,18 +293,6 @@ private:
     Reference reference_;
     std::vector<Quat> correction_;  // N of each driven joint
 };
-
-/// The turn from the motion's axes to the skeleton's: its up to the skeleton's up, its left to the skeleton's left.
-Quat uprightTurn(const Skeleton& skeleton, const Quat& aligned) {
-    const UpAxis up = upOf(skeleton);
-    const Vec3 ownUp = axisVector(up.axis, up.sign);
-    const Vec3 theirUp = glm::conjugate(aligned) * ownUp;
-    int axis = 0;
-    for (int a = 1; a < 3; ++a)
-        if (std::abs(theirUp[a]) > std::abs(theirUp[axis])) axis = a;
-    const Vec3 straight = axisVector(axis, theirUp[axis] < 0 ? -1 : 1);
-    return straightened(glm::normalize(shortestArc(aligned * straight, ownUp) * aligned));
-}
 
 /// Lengths of the legs where both skeletons have them by the pairing, else of all bones between paired joints.
 double scaleBetween(const Pairing& pairing, const Reference& reference) {
