@@ -59,11 +59,22 @@ OpenedScene open(IoClient& io, const InputArguments& input, const CommonArgument
     return opened;
 }
 
-void refuseMotion(const std::string& path) {
-    const std::filesystem::path ending = std::filesystem::path(path).extension();
-    if (ending == ".bvh" || ending == ".BVH")
-        throw Error(path, "motion files are not built yet in this version", "name a volume");
+MotionFile readMotionFile(IoClient& io, const std::string& path, const CommonArguments& common) {
+    MotionFile file;
+    withProgress("Reading " + path, common.verbosity(),
+                 [&](Progress* progress) { file = io.readMotion(path, progress); });
+    printWarnings(file.warnings);
+    return file;
 }
+
+namespace {
+
+void refuseMotion(const std::string& path) {
+    if (isMotionFile(path))
+        throw Error(path, "holds a motion, where a volume is needed", "name a volume; motions are for voledit pose");
+}
+
+}  // namespace
 
 VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const CommonArguments& common) {
     refuseMotion(input.file);

@@ -51,8 +51,8 @@ void addInputArguments(CLI::App& command, InputArguments& arguments, const std::
 /// Compiles an opened scene at `time`, the timeline's start where that is NaN. Throws Error that names `input`'s file.
 CompiledScene compileAt(const OpenedScene& opened, const InputArguments& input, double time, double aspect = 4.0 / 3.0);
 
-/// Throws Error for the name of a motion file.
-void refuseMotion(const std::string& path);
+/// Reads a motion with a progress bar and prints its warnings. Throws Error.
+MotionFile readMotionFile(IoClient& io, const std::string& path, const CommonArguments& common);
 
 /// Reads a volume with a progress bar and prints its warnings. Throws Error, also for a mesh.
 VolumeFile readVolumeFile(IoClient& io, const InputArguments& input, const CommonArguments& common);

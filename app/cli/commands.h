@@ -15,6 +15,8 @@ Command addAnimateCommand(CLI::App& command, const CommonArguments& common);
 Command addVoxelizeCommand(CLI::App& command, const CommonArguments& common);
 Command addInfoCommand(CLI::App& command, const CommonArguments& common);
 Command addSampleCommand(CLI::App& command, const CommonArguments& common);
+Command addPoseCommand(CLI::App& command, const CommonArguments& common);
+Command addRigCommand(CLI::App& command, const CommonArguments& common);
 Command addConvertCommand(CLI::App& command, const CommonArguments& common);
 Command addTransfersCommand(CLI::App& command, const CommonArguments& common);
 Command addEditCommand(CLI::App& command, const CommonArguments& common);

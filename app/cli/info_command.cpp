@@ -1,10 +1,11 @@
-// `voledit info`: what a volume, a mesh or a scene holds.
+// `voledit info`: what a volume, a mesh, a motion or a scene holds.
 
 #include <CLI/App.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/motion_text.h"
 #include "core/scene/edits.h"
 
 namespace voledit {
@@ -107,7 +108,11 @@ void printTable(const Json& json) {
 int info(const InputArguments& input, bool asJson, const CommonArguments& common) {
     IoClient io;
     Json json;
-    if (isSceneFile(input.file)) {
+    if (isMotionFile(input.file)) {
+        const MotionFile file = readMotionFile(io, input.file, common);
+        if (!asJson) return printMotion(file), 0;
+        json = motionJson(file);
+    } else if (isSceneFile(input.file)) {
         json = describe(open(io, input, common), input);
     } else {
         json =

@@ -24,16 +24,15 @@ constexpr Description kCommands[] = {
     {"render", "Render a scene to a picture, without a window", addRenderCommand},
     {"animate", "Render a scene over time to a video or to numbered pictures", addAnimateCommand},
     {"voxelize", "Sample a scene on a regular grid and write a volume", addVoxelizeCommand},
-    {"info", "Say what a volume or a scene holds", addInfoCommand},
+    {"info", "Say what a volume, a motion or a scene holds", addInfoCommand},
     {"sample", "Values of a volume or a scene at points", addSampleCommand},
-    {"convert", "Convert between volume formats", addConvertCommand},
+    {"pose", "Where the joints of a motion are at a frame", addPoseCommand},
+    {"rig", "Lay a skeleton into a volume by its shape, and let a motion drive it", addRigCommand},
+    {"convert", "Convert between volume formats, and motions to BVH", addConvertCommand},
     {"transfers", "The library of deformations: their parameters and formulas", addTransfersCommand},
     {"edit", "Open the editor; with --headless drive it from recorded events", addEditCommand},
     {"bench", "The project's own measurements, as JSON", addBenchCommand},
 };
-
-/// Commands of the contract that this version lacks.
-const std::map<std::string, std::string> kNotYet = {{"pose", "poses of a motion file"}};
 
 int runCommand(int argc, char** argv) {
     CLI::App app{"voledit: deforms volumes directly, without resampling them", "voledit"};
@@ -84,9 +83,6 @@ void completeCommand(std::vector<char*>& arguments) {
     static char edit[] = "edit";
     const std::size_t at = commandPosition(arguments);
     const std::string word = at < arguments.size() ? arguments[at] : "";
-    if (const auto later = kNotYet.find(word); later != kNotYet.end())
-        throw Error("voledit " + word, later->second + " are not built yet in this version",
-                    "see voledit --help for what is");
     if (namesCommand(word)) return;
     std::error_code ignored;
     if (!word.empty() && word[0] != '-' && word.find_first_of("*%") == std::string::npos &&

@@ -30,23 +30,45 @@ VolumeOrMesh readVolumeOrMesh(IoClient& io, const fs::path& path, const OpenOpti
     return {std::get<VolumeFile>(file).volume, nullptr};
 }
 
+using Motions = std::map<std::string, std::shared_ptr<const Motion>>;  // by path
+
+/// The motion of a file, read once.
+std::shared_ptr<const Motion> motion(IoClient& io, const fs::path& path, Motions& known,
+                                     std::vector<std::string>& warnings, Progress* progress) {
+    auto& motion = known[path.string()];
+    if (!motion) {
+        MotionFile file = io.readMotion(path, progress);
+        warnings.insert(warnings.end(), file.warnings.begin(), file.warnings.end());
+        motion = std::move(file.motion);
+    }
+    return motion;
+}
+
+/// Does `read`; an Error is given the asset's name.
+template <class Function>
+void ofAsset(const std::string& name, const Function& read) {
+    try {
+        read();
+    } catch (const Error& error) {
+        throw Error("asset \"" + name + "\" (/assets/" + name + "/path): " + error.what());
+    }
+}
+
 }  // namespace
 
 LoadedAssets readAssets(IoClient& io, const Scene& scene, const fs::path& folder, const OpenOptions& options,
                         std::vector<std::string>& warnings, Progress* progress) {
     LoadedAssets loaded;
     std::map<std::string, VolumeOrMesh> byPath;
+    Motions motions;
     for (const auto& [name, asset] : scene.assets) {
-        if (asset.kind != AssetKind::Volume) continue;
         const fs::path path = assetPath(asset, folder);
+        if (asset.kind == AssetKind::Motion)
+            ofAsset(name, [&] { loaded.motions[name] = motion(io, path, motions, warnings, progress); });
+        if (asset.kind != AssetKind::Volume) continue;
         VolumeOrMesh& file = byPath[path.string()];
-        if (!file.volume && !file.mesh) {
-            try {
-                file = readVolumeOrMesh(io, path, options, warnings, progress);
-            } catch (const Error& error) {
-                throw Error("asset \"" + name + "\" (/assets/" + name + "/path): " + error.what());
-            }
-        }
+        if (!file.volume && !file.mesh)
+            ofAsset(name, [&] { file = readVolumeOrMesh(io, path, options, warnings, progress); });
         if (file.volume) loaded.volumes[name] = file.volume;
         if (file.mesh) loaded.meshes[name] = file.mesh;
     }
@@ -68,6 +90,9 @@ OpenedScene openFile(IoClient& io, const fs::path& path, const OpenOptions& opti
         }
         return opened;
     }
+    if (isMotionFile(path))
+        throw Error(path.string(), "holds a motion, which shows nothing by itself",
+                    "open a scene with an actor and import the motion there; voledit info says what it holds");
     const VolumeOrMesh file = readVolumeOrMesh(io, path, options, opened.warnings, progress);
     const fs::path absolute = fs::absolute(path).lexically_normal();
     const fs::path named = absolute.has_filename() ? absolute : absolute.parent_path();

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -13,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/paths.h"
+#include "core/io/bvh.h"
 #include "core/io/memory_file.h"
 #include "core/io/output_folder.h"
 #include "core/io/parser_process.h"
@@ -215,6 +218,22 @@ void throwIfFailed(const IoReply& reply, IoReply::Kind expected) {
 }
 
 }  // namespace
+
+bool isMotionFile(const fs::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::array endings{".bvh", ".gltf", ".glb", ".fbx", ".dae"};
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+MotionFile IoClient::readMotion(const fs::path& path, Progress* progress) {
+    MotionFile file;
+    file.format = "bvh";
+    report(progress, 0);
+    file.motion = std::make_shared<const Motion>(readBvh(path, &file.warnings));
+    report(progress, 1);
+    return file;
+}
 
 VolumeFile IoClient::readVolume(const fs::path& path, const ReadOptions& options, Progress* progress) {
     auto file = readVolumeOrMesh(path, options, progress);

@@ -13,6 +13,7 @@
 #include "core/base/progress.h"
 #include "core/fields/mesh_data.h"
 #include "core/fields/volume.h"
+#include "core/skeleton/motion.h"
 
 namespace voledit {
 
@@ -55,6 +56,15 @@ struct MeshFile {
     std::vector<std::string> warnings;
 };
 
+struct MotionFile {
+    std::shared_ptr<const Motion> motion;
+    std::string format;                 // "bvh", "gltf", "fbx", "dae"
+    std::vector<std::string> warnings;  // what was repaired, cut or left out, one line each
+};
+
+/// True if `path` is named as a file that holds motions: .bvh, .gltf, .glb, .fbx, .dae, in any case.
+bool isMotionFile(const std::filesystem::path& path);
+
 /// How long the parser may work without any progress before it counts as hung. Both grow with the file (a second for
 /// every 20 MB). Processor time is what tells: a slow disk or a busy machine is not the parser's fault.
 struct IoPatience {
@@ -81,6 +91,10 @@ public:
     /// The same for files that may hold a mesh instead: legacy VTK files.
     std::variant<VolumeFile, MeshFile> readVolumeOrMesh(const std::filesystem::path& path,
                                                         const ReadOptions& options = {}, Progress* progress = nullptr);
+
+    /// Reads a motion: BVH here (core/io/bvh.h), the first clip of glTF, FBX and Collada through the parser. Throws
+    /// Error (file, cause, remedy), Cancelled.
+    MotionFile readMotion(const std::filesystem::path& path, Progress* progress = nullptr);
 
     /// Writes NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), MetaImage (.mhd, .mha) or VDB (.vdb, float) by ending; beside
     /// `path`, then renamed. Throws Error, Cancelled.
