@@ -95,7 +95,7 @@ std::vector<bool> limbsToFit(const Workspace& workspace, const CompiledActor& ac
     if (!argument.empty()) throw Error("rig.fit takes all or nothing, not \"" + argument + "\"");
     fit.assign(actor.limbs.size(), false);
     for (const int joint : joints)
-        if (const int limb = limbOf(actor, joint); limb >= 0) fit[std::size_t(limb)] = true;
+        for (const int limb : editedLimbs(actor, joint)) fit[std::size_t(limb)] = true;
     return fit;
 }
 

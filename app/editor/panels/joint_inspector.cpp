@@ -101,40 +101,21 @@ void limbRows(Inspection& in, const CompiledActor& actor, const Limb& limb) {
     };
     auto size = two(limb.size), offset = two(limb.offset), pad = two(limb.pad);
     double roll = glm::degrees(limb.roll);
-    // Each is fixed where it is edited: what was fitted stays as it is otherwise.
-    const auto fix = [limb](SceneLimb& changed) {
-        if (changed.size) return;
-        changed.size = Tracked<Vec2>(limb.size);
-        changed.offset = Tracked<Vec2>(limb.offset);
-        if (!changed.pad) changed.pad = Tracked<Vec2>(limb.pad);
-    };
     apply(ui::pair("Size", size, lengths(in, kThinnest), "Of the region's section, across the bone"), "Change size",
-          [&](SceneLimb& l) {
-              fix(l);
-              l.size = Tracked<Vec2>(Vec2(size[0], size[1]));
-          });
+          [&](SceneLimb& l) { l.size = Tracked<Vec2>(Vec2(size[0], size[1])); });
     apply(ui::pair("Offset", offset, lengths(in, -kInfinity), "Of the section's middle from the bone"), "Change offset",
-          [&](SceneLimb& l) {
-              fix(l);
-              l.offset = Tracked<Vec2>(Vec2(offset[0], offset[1]));
-          });
+          [&](SceneLimb& l) { l.offset = Tracked<Vec2>(Vec2(offset[0], offset[1])); });
     apply(ui::pair("Pad", pad, lengths(in, -kInfinity),
                    "How far the region reaches beyond the joints it begins and "
                    "ends at, where it is not connected"),
-          "Change pad", [&](SceneLimb& l) {
-              fix(l);
-              l.pad = Tracked<Vec2>(Vec2(pad[0], pad[1]));
-          });
+          "Change pad", [&](SceneLimb& l) { l.pad = Tracked<Vec2>(Vec2(pad[0], pad[1])); });
     const NumberFormat degrees{-360, 360, 0.5, 1, "°"};
-    apply(ui::number("Roll", roll, degrees, "Turns the region about the bone"), "Change roll", [&](SceneLimb& l) {
-        fix(l);
-        l.roll = Tracked<double>(roll);
-    });
+    apply(ui::number("Roll", roll, degrees, "Turns the region about the bone"), "Change roll",
+          [&](SceneLimb& l) { l.roll = Tracked<double>(roll); });
 }
 
 void limbs(Inspection& in, const CompiledActor& actor, int joint) {
-    std::vector<int> shown = limbsFrom(actor, joint);
-    if (const int only = limbOf(actor, joint); shown.empty() && only >= 0) shown.push_back(only);
+    const std::vector<int> shown = editedLimbs(actor, joint);
     for (const int l : shown) {
         const Limb& limb = actor.limbs[std::size_t(l)];
         const std::string title = "REGION  " + limb.name;

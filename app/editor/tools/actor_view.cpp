@@ -129,12 +129,11 @@ std::vector<int> limbsFrom(const CompiledActor& actor, int joint) {
     return limbs;
 }
 
-int limbOf(const CompiledActor& actor, int joint) {
-    for (int l = 0; l < int(actor.limbs.size()); ++l)
-        if (actor.limbs[std::size_t(l)].from == joint) return l;
-    for (int l = 0; l < int(actor.limbs.size()); ++l)
-        if (actor.limbs[std::size_t(l)].to == joint) return l;
-    return -1;
+std::vector<int> editedLimbs(const CompiledActor& actor, int joint) {
+    std::vector<int> limbs = limbsFrom(actor, joint);
+    for (int l = 0; limbs.empty() && l < int(actor.limbs.size()); ++l)
+        if (actor.limbs[std::size_t(l)].to == joint) limbs.push_back(l);
+    return limbs;
 }
 
 }  // namespace voledit

@@ -54,7 +54,7 @@ std::optional<JointHit> jointAt(const CompiledScene& compiled, const Camera& cam
 std::vector<int> selectedJoints(const Scene& scene, const CompiledActor& actor, const Selection& selection);
 /// Limbs that begin at `joint`.
 std::vector<int> limbsFrom(const CompiledActor& actor, int joint);
-/// The limb that `joint` is edited by: the first that begins at it, else the one that ends there; -1 for none.
-int limbOf(const CompiledActor& actor, int joint);
+/// The limbs that `joint` is edited by: those that begin at it, else the one that ends there.
+std::vector<int> editedLimbs(const CompiledActor& actor, int joint);
 
 }  // namespace voledit

@@ -6,6 +6,7 @@
 
 #include "app/editor/scene_tree.h"
 #include "app/editor/tools/joint_edits.h"
+#include "app/editor/tools/joint_tool_parts.h"
 #include "core/base/error.h"
 #include "core/rigging/curve_skeleton.h"
 #include "core/scene/nodes.h"
@@ -18,41 +19,6 @@ constexpr double kReach = 9;          // pixels from a joint that still hit it, 
 constexpr double kRingReach = 6;      // and from a ring
 constexpr double kDragThreshold = 3;  // pixels that a press may wander and still be a click, at scale 1
 constexpr double kSnapReach = 0.05;   // of the object's diagonal, that a joint may go to the medial axis
-
-bool editsRig(const ToolContext& context) {
-    return context.actors && context.actors->rigEdit;
-}
-
-ActorPtr active(const ToolContext& context) {
-    return activeActor(context.document.scene(), context.compiled, context.selection);
-}
-
-std::vector<int> selectedOf(const ToolContext& context, const CompiledActor& actor) {
-    return selectedJoints(context.document.scene(), actor, context.selection);
-}
-
-ActorLook lookOf(const ToolContext& context, const CompiledActor& actor) {
-    ActorLook look;
-    look.selected = selectedOf(context, actor);
-    look.camera = context.camera;
-    look.size = context.size;
-    look.scale = context.scale;
-    if (context.actors) look.regions = context.actors->showRegions;
-    return look;
-}
-
-/// The joint that the rings are about; none while the rig is edited.
-JointRef ringed(const ToolContext& context) {
-    if (editsRig(context)) return {};
-    const ActorPtr actor = active(context);
-    if (!actor) return {};
-    const std::vector<int> selected = selectedOf(context, *actor);
-    return selected.empty() ? JointRef{} : JointRef{actor, selected.back()};
-}
-
-const std::string& nameOf(const CompiledActor& actor, int joint) {
-    return actor.skeleton.joints[std::size_t(joint)].name;
-}
 
 /// The actor's row in the tree, which a `use` may stand for.
 std::string rowOf(const Scene& scene, const NodePath& target) {
@@ -90,6 +56,7 @@ bool JointTool::pointer(ToolContext context, const PointerEvent& event) {
             if (idle()) {
                 hovered_.reset();
                 hoveredRing_.reset();
+                hoveredFace_.reset();
             }
             return !idle();
         case PointerPhase::DoubleClick:
@@ -102,12 +69,16 @@ bool JointTool::pointer(ToolContext context, const PointerEvent& event) {
 void JointTool::hover(const ToolContext& context, const Vec2& at) {
     hovered_.reset();
     hoveredRing_.reset();
+    hoveredFace_.reset();
     if (!context.compiled) return;
     const auto hit = jointAt(*context.compiled, context.camera, context.size, at, kReach * context.scale);
     // A joint goes before a ring, a ring before a bone.
-    if (const JointRef joint = ringed(context); joint && !(hit && hit->to < 0))
+    if (const JointRef joint = ringedJoint(context); joint && !(hit && hit->to < 0))
         hoveredRing_ = ringAt(*joint.actor, joint.joint, lookOf(context, *joint.actor), at, kRingReach * context.scale);
-    if (!hoveredRing_) hovered_ = hit;
+    if (const ActorPtr actor = activeActor(context); actor && !(hit && hit->to < 0))
+        hoveredFace_ = handleAt(*actor, limbsWithHandles(context, *actor), context.camera, context.size, at,
+                                kReach * context.scale);
+    if (!hoveredRing_ && !hoveredFace_) hovered_ = hit;
 }
 
 bool JointTool::press(ToolContext& context, const PointerEvent& event) {
@@ -119,14 +90,15 @@ bool JointTool::press(ToolContext& context, const PointerEvent& event) {
     if (event.button != PointerButton::Left || event.modifiers.alt) return !idle();
     if (event.modifiers.ctrl && !editsRig(context)) return false;
     hover(context, event.at);
-    if (!hovered_ && !hoveredRing_) return false;
+    if (!hoversAny()) return false;
     pressed_ = hovered_;
     pressedRing_ = hoveredRing_;
+    pressedFace_ = hoveredFace_;
     pressedAt_ = event.at;
     toggling_ = event.modifiers.shift;
-    grip_ = pressedRing_ ? Grip::Ring : pressed_->to >= 0 ? Grip::Bone : Grip::Place;
+    grip_ = pressedRing_ ? Grip::Ring : pressedFace_ ? Grip::Face : pressed_->to >= 0 ? Grip::Bone : Grip::Place;
     if (pressed_) {
-        const std::vector<int> selected = selectedOf(context, *pressed_->of.actor);
+        const std::vector<int> selected = selectedJoints(context, *pressed_->of.actor);
         wasSelected_ = std::find(selected.begin(), selected.end(), pressed_->of.joint) != selected.end();
         if (!wasSelected_) select(context, pressed_->of, toggling_);
     }
@@ -141,10 +113,12 @@ bool JointTool::moved(ToolContext& context, const PointerEvent& event) {
         if (glm::distance(event.at, pressedAt_) <= kDragThreshold * context.scale) return true;
         state_ = State::Idle;
         if (grip_ == Grip::Ring) {
-            const JointRef joint = ringed(context);
+            const JointRef joint = ringedJoint(context);
             if (!joint) return true;
             beginTurn(context, joint.actor, pressedAt_,
                       pressedRing_->axis < 3 ? std::optional(pressedRing_->axis) : std::nullopt);
+        } else if (grip_ == Grip::Face) {
+            beginPull(context, pressedAt_);
         } else {
             beginMove(context, pressedAt_);
         }
@@ -189,10 +163,10 @@ void JointTool::select(ToolContext& context, const JointRef& joint, bool toggle)
 void JointTool::beginMove(const ToolContext& context, const Vec2& at) {
     // As compiled last: the one that was pressed on may be older.
     const JointRef of = pressed_ ? pressed_->of : JointRef{};
-    ActorPtr actor = active(context);
+    ActorPtr actor = activeActor(context);
     if (!actor) actor = of.actor;
     if (!actor) return;
-    std::vector<int> joints = selectedOf(context, *actor);
+    std::vector<int> joints = selectedJoints(context, *actor);
     const int leading = of ? of.joint : joints.empty() ? -1 : joints.back();
     if (leading < 0) return;
     std::erase(joints, leading);
@@ -210,17 +184,24 @@ void JointTool::beginMove(const ToolContext& context, const Vec2& at) {
 }
 
 void JointTool::beginTurn(const ToolContext& context, const ActorPtr& actor, const Vec2& at, std::optional<int> axis) {
-    const std::vector<int> joints = selectedOf(context, *actor);
+    const std::vector<int> joints = selectedJoints(context, *actor);
     const int leading = joints.back();
     const Vec2 pivot(project(context.camera, context.size, shownJoint(*actor, leading)));
     going_ = Going{actor, context.compiled->time, joints, -1,
                    JointTurn(pivot, at, axesInView(*actor, leading, context.camera), axis)};
 }
 
+void JointTool::beginPull(const ToolContext& context, const Vec2& at) {
+    const ActorPtr actor = activeActor(context);
+    if (!actor || !pressedFace_ || pressedFace_->limb >= int(actor->limbs.size())) return;
+    going_ = Going{actor, context.compiled->time, {}, -1, FacePull{*pressedFace_, placeOf(*actor, *pressedFace_), at}};
+}
+
 bool JointTool::grab(ToolContext context) {
-    const ActorPtr actor = active(context);
-    if (!idle() || !actor || selectedOf(context, *actor).empty()) return false;
-    const Vec3 pixel = project(context.camera, context.size, shownJoint(*actor, selectedOf(context, *actor).back()));
+    const ActorPtr actor = activeActor(context);
+    if (!idle() || !actor || selectedJoints(context, *actor).empty()) return false;
+    const Vec3 pixel =
+        project(context.camera, context.size, shownJoint(*actor, selectedJoints(context, *actor).back()));
     if (!(pixel.z > 0)) return false;
     grip_ = Grip::Place;
     pressed_.reset();
@@ -230,7 +211,7 @@ bool JointTool::grab(ToolContext context) {
 }
 
 bool JointTool::turn(ToolContext context) {
-    const JointRef joint = ringed(context);
+    const JointRef joint = ringedJoint(context);
     if (!idle() || !joint) return false;
     grip_ = Grip::Ring;
     beginTurn(context, joint.actor, pointer_, std::nullopt);
@@ -241,10 +222,13 @@ bool JointTool::turn(ToolContext context) {
 void JointTool::follow(ToolContext& context, const PointerEvent& event) {
     if (!going_) return;
     snap_ = !event.modifiers.ctrl;
-    if (auto* move = std::get_if<PointMove>(&going_->by))
-        move->follow(event.at, event.modifiers.shift);
-    else
-        std::get<JointTurn>(going_->by).follow(event.at, event.modifiers.shift, event.modifiers.ctrl);
+    if (auto* move = std::get_if<PointMove>(&going_->by)) move->follow(event.at, event.modifiers.shift);
+    if (auto* turn = std::get_if<JointTurn>(&going_->by))
+        turn->follow(event.at, event.modifiers.shift, event.modifiers.ctrl);
+    if (auto* face = std::get_if<FacePull>(&going_->by)) {
+        face->path += (event.at - face->last) * (event.modifiers.shift ? 0.1 : 1.0);
+        face->last = event.at;
+    }
     preview(context);
 }
 
@@ -285,7 +269,16 @@ void JointTool::moveRest(Scene& scene, const ToolContext& context) const {
 
 void JointTool::preview(ToolContext& context) {
     try {
-        if (editsRig(context)) {
+        if (const auto* face = std::get_if<FacePull>(&going_->by)) {
+            const CompiledActor& actor = *going_->actor;
+            const Limb& limb = actor.limbs[std::size_t(face->handle.limb)];
+            const double distance = pulledBy(face->place, context.camera, context.size, face->path);
+            context.document.preview([&](Scene& scene) {
+                editLimb(
+                    scene, actor.path, limb.name,
+                    [&](SceneLimb& changed) { pull(changed, limb, face->handle.face, distance); }, actor);
+            });
+        } else if (editsRig(context)) {
             context.document.preview([&](Scene& scene) { moveRest(scene, context); });
         } else {
             const Pose pose = wantedPose(context);
@@ -301,6 +294,8 @@ void JointTool::preview(ToolContext& context) {
 
 std::string JointTool::stepName(const ToolContext& context) const {
     const CompiledActor& actor = *going_->actor;
+    if (const auto* face = std::get_if<FacePull>(&going_->by))
+        return "Resize " + actor.limbs[std::size_t(face->handle.limb)].name;
     const int leading = going_->joints.back();
     if (std::holds_alternative<JointTurn>(going_->by)) return "Rotate " + countOf(actor, going_->joints);
     if (editsRig(context)) return "Move rest of " + countOf(actor, going_->joints);
@@ -330,74 +325,13 @@ bool JointTool::key(ToolContext context, const KeyEvent& event) {
     } else if (moving() && going_ && !event.modifiers.ctrl && !event.modifiers.alt) {
         if (event.key == "Enter" || event.key == "KeypadEnter")
             finish(context);
-        else if (std::visit([&](auto& by) { return by.key(event.key); }, going_->by))
+        else if (auto* move = std::get_if<PointMove>(&going_->by); move && move->key(event.key))
+            preview(context);
+        else if (auto* turn = std::get_if<JointTurn>(&going_->by); turn && turn->key(event.key))
             preview(context);
     }
     // While something is going on no shortcut may change the scene below it.
     return true;
-}
-
-// ---- What is shown ------------------------------------------------------------------------------------------------
-
-std::string JointTool::readout() const {
-    if (!moving() || !going_) return "";
-    if (const auto* turn = std::get_if<JointTurn>(&going_->by)) return turn->readout();
-    return "Move " + std::get<PointMove>(going_->by).readout();
-}
-
-std::string JointTool::hoveredName() const {
-    if (!idle() || !hovered_) return "";
-    const CompiledActor& actor = *hovered_->of.actor;
-    return nameOf(actor, hovered_->of.joint);
-}
-
-std::string JointTool::hint(const ToolContext& context) const {
-    const bool turning = going_ && std::holds_alternative<JointTurn>(going_->by);
-    const std::string end = state_ == State::Dragging ? "release: confirm" : "Enter or click: confirm";
-    if (moving() && turning)
-        return "X/Y/Z: about own axis  ·  digits: degrees  ·  Ctrl: steps  ·  Shift: precise  ·  " + end +
-               "  ·  Esc: cancel";
-    if (moving())
-        return std::string(editsRig(context) ? "Ctrl: no snapping to the middle  ·  " : "") +
-               "X/Y/Z: lock axis  ·  digits: distance  ·  Shift: precise  ·  " + end + "  ·  Esc: cancel";
-    if (hoveredRing_) return "Drag: turn  ·  Ctrl: steps  ·  Shift: precise";
-    const bool rig = editsRig(context);
-    if (hovered_) {
-        if (rig) return "Click: select  ·  Drag: move at rest, snapped to the middle  ·  Ctrl+drag: freely";
-        if (hovered_->to >= 0) return "Click: select  ·  Drag: point the bone";
-        return "Click: select  ·  Shift+click: add  ·  Drag: pose";
-    }
-    const ActorPtr actor = active(context);
-    if (!actor) return "";
-    if (rig) return "Rig, at rest  ·  Drag a joint: move it  ·  Tab: pose";
-    if (!selectedOf(context, *actor).empty()) return "G: move  ·  R: rotate  ·  I: key  ·  Alt+R: clear rotation";
-    return "Drag a joint: pose  ·  Tab: edit the rig";
-}
-
-void JointTool::fillOverlay(const ToolContext& context, Overlay& overlay) const {
-    if (!context.compiled) return;
-    const ActorPtr shown = active(context);
-    for (const ActorPtr& actor : context.compiled->actors) {
-        ActorLook look = lookOf(context, *actor);
-        look.active = actor == shown;
-        const bool here = hovered_ && hovered_->of.actor->path == actor->path && idle();
-        if (here && hovered_->to < 0) look.hovered = hovered_->of.joint;
-        if (here && hovered_->to >= 0)
-            for (int l = 0; l < int(actor->limbs.size()); ++l)
-                if (actor->limbs[std::size_t(l)].from == hovered_->of.joint &&
-                    actor->limbs[std::size_t(l)].to == hovered_->to)
-                    look.hoveredBone = l;
-        const ActorState* state = context.actors;
-        if (editsRig(context) && state->showCoverage && state->body && state->coverage && state->body->of == actor->of)
-            appendCoverage(*actor, *state->body, *state->coverage, context.scale, overlay);
-        appendActor(*actor, look, overlay);
-    }
-    if (const JointRef joint = ringed(context)) {
-        std::optional<RingHit> marked = hoveredRing_;
-        if (going_)
-            if (const auto* turn = std::get_if<JointTurn>(&going_->by)) marked = RingHit{turn->axis().value_or(3)};
-        appendRings(*joint.actor, joint.joint, marked, lookOf(context, *joint.actor), overlay);
-    }
 }
 
 }  // namespace voledit

@@ -10,6 +10,7 @@
 #include "app/editor/tools/actor_view.h"
 #include "app/editor/tools/joint_turn.h"
 #include "app/editor/tools/point_move.h"
+#include "app/editor/tools/region_handles.h"
 #include "app/editor/tools/tool_context.h"
 #include "app/editor/tools/tool_events.h"
 #include "core/scene/actor_edits.h"
@@ -18,7 +19,8 @@ namespace voledit {
 
 /// Left button on a joint or bone: a click selects it (Shift toggles); dragging a joint brings it under the pointer, in
 /// the plane of the view: by IK while posing, a root by moving; while the rig is edited, by moving its rest position,
-/// snapped to the medial axis unless Ctrl is held. Dragging a bone points it. Dragging a ring of the selected joint
+/// snapped to the medial axis unless Ctrl is held, and the dots on a selected region's faces pull these. Dragging a
+/// bone points it. Dragging a ring of the selected joint
 /// turns it about that axis of its own, the outer ring about the view. `grab` and `turn` do so without a button, as
 /// Blender's G and R. Meanwhile X, Y, Z lock an axis, digits type a distance or degrees, Shift slows down tenfold, Ctrl
 /// turns by steps; Enter, a click or a release makes one undo step, Escape or the right button restores.
@@ -41,8 +43,8 @@ public:
     std::string hint(const ToolContext& context) const;
     /// "Rotate X 12.5°" while something goes on; else empty.
     std::string readout() const;
-    /// Whether a joint, a bone or a ring is under the pointer.
-    bool hoversAny() const { return hovered_ || hoveredRing_; }
+    /// Whether a joint, a bone, a ring or a region's handle is under the pointer.
+    bool hoversAny() const { return hovered_ || hoveredRing_ || hoveredFace_; }
     /// Name of the joint under the pointer, for a tooltip; empty where none is.
     std::string hoveredName() const;
 
@@ -51,14 +53,20 @@ public:
 
 private:
     enum class State : std::uint8_t { Idle, Pressed, Dragging, Following };
-    /// What is dragged: joints, to a place; a bone, to point there; joints, about an axis.
-    enum class Grip : std::uint8_t { Place, Bone, Ring };
+    /// What is dragged: joints, to a place; a bone, to point there; joints, about an axis; a face of a region,
+    /// outwards.
+    enum class Grip : std::uint8_t { Place, Bone, Ring, Face };
+    struct FacePull {
+        RegionHandle handle;
+        HandlePlace place;      // where it began
+        Vec2 last{0}, path{0};  // pointer; pixels from the start, slowed down where asked
+    };
     struct Going {
         ActorPtr actor;           // as it was when it began
         double time = 0;          // and when that was, on the scene's clock
         std::vector<int> joints;  // the leading one last
         int to = -1;              // of a bone
-        std::variant<PointMove, JointTurn> by;
+        std::variant<PointMove, JointTurn, FacePull> by;
     };
 
     bool press(ToolContext& context, const PointerEvent& event);
@@ -68,6 +76,7 @@ private:
     void select(ToolContext& context, const JointRef& joint, bool toggle);
     void beginMove(const ToolContext& context, const Vec2& at);
     void beginTurn(const ToolContext& context, const ActorPtr& actor, const Vec2& at, std::optional<int> axis);
+    void beginPull(const ToolContext& context, const Vec2& at);
     void follow(ToolContext& context, const PointerEvent& event);
     void preview(ToolContext& context);
     Pose wantedPose(const ToolContext& context) const;
@@ -79,6 +88,7 @@ private:
     Grip grip_ = Grip::Place;
     std::optional<JointHit> hovered_, pressed_;
     std::optional<RingHit> hoveredRing_, pressedRing_;
+    std::optional<RegionHandle> hoveredFace_, pressedFace_;
     bool wasSelected_ = false;  // before the button went down
     bool toggling_ = false;     // it went down with Shift
     bool snap_ = true;          // to the medial axis
