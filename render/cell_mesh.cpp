@@ -183,7 +183,8 @@ CellMesh boxMesh(const Box3& box, const Mat4& worldFromBox) {
 }
 
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
-                         const VolumeGrid& grid, const Visibility& visibility, double slab) {
+                         const VolumeGrid& grid, const Visibility& visibility, double slab,
+                         const std::vector<char>& wanted) {
     CellMesh mesh;
     std::vector<Vec3> indexPerWorld(cells.deformed().size());
     placeVertices(cells, worldFromDeformed, indexFromSource, mesh, indexPerWorld);
@@ -191,6 +192,7 @@ CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed
     const auto tetrahedra = cells.tetrahedra();
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         if (cells.determinants()[t] == 0) continue;
+        if (!wanted.empty() && !wanted[t / cells.tetrahedraPerCell()]) continue;
         Box3 box;
         Vec3 steepest(0);
         for (const std::uint32_t v : tetrahedra[t]) {

@@ -53,8 +53,10 @@ CellMesh brickMesh(const VolumeGrid& grid, const Mat4& worldFromIndex, const Vis
 
 /// Tetrahedra of `cells`, in their order, without degenerate ones.
 /// @param worldFromDeformed,indexFromSource  affine maps outside and inside the cells
+/// @param wanted  one for each cell: whether its tetrahedra are taken; empty: all are
 CellMesh tetrahedronMesh(const MappedCells& cells, const Mat4& worldFromDeformed, const Mat4& indexFromSource,
-                         const VolumeGrid& grid, const Visibility& visibility, double slab);
+                         const VolumeGrid& grid, const Visibility& visibility, double slab,
+                         const std::vector<char>& wanted = {});
 
 /// The same where source coordinates go on to maps that fragments locate (located_maps.h).
 /// @param seen  one for each hexahedron: its tetrahedra are left out where it is 0

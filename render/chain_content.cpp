@@ -33,7 +33,8 @@ ChainContent::ChainContent(SliceWorkshop& workshop, SlicePlan plan, const Compil
       shaded_(scene.render.shading),
       folded_(plan_.forward && needsFolding(*plan_.forward)) {
     const bool cullCells = workshop.options.cull && !(folded_ && coverCounts(*plan_.forward));
-    workshop.resources.prepare(plan_, {workshop.options.cull, cullCells, step * stepsOfSlab() * longestRay});
+    const bool separate = folded_ && !coverCounts(*plan_.forward) && plan_.located.empty();
+    workshop.resources.prepare(plan_, {workshop.options.cull, cullCells, step * stepsOfSlab() * longestRay, separate});
 }
 
 int ChainContent::stepsOfSlab() const {
@@ -47,9 +48,11 @@ std::optional<Combine> ChainContent::folded() const {
 
 std::vector<SliceContent::Part> ChainContent::parts() const {
     const SliceResources& resources = workshop_.resources;
-    std::vector<Part> parts{{&resources.mesh(), resources.entryFromSource()}};
+    std::vector<Part> parts{{&resources.mesh(), resources.entryFromSource(), false}};
+    if (resources.alone()) parts.push_back({resources.alone(), resources.entryFromSource(), true});
     if (resources.uncovered())
-        parts.push_back({resources.uncovered(), resources.entryFromSource() * glm::inverse(plan_.worldFromDeformed)});
+        parts.push_back(
+            {resources.uncovered(), resources.entryFromSource() * glm::inverse(plan_.worldFromDeformed), false});
     return parts;
 }
 
@@ -61,16 +64,16 @@ Box3 ChainContent::domain() const {
     return plan_.volume->volume->grid().indexDomain();
 }
 
-ProgramVariant ChainContent::variant(bool mapped, int pass) const {
+ProgramVariant ChainContent::variant(const Part& part, int pass) const {
     const VolumeTerm& volume = *plan_.volume;
-    const SliceVariant variant{.mapped = mapped,
+    const SliceVariant variant{.mapped = part.mesh->kind == CellMesh::Kind::Tetrahedron,
                                .located = !plan_.located.empty(),
                                .shaded = shaded_,
                                .gradientOpacity = !volume.appearance.gradientOpacity.points.empty(),
                                .realVoxels = isReal(volume.volume->type()),
-                               .segments = workshop_.options.segments,
+                               .segments = stepsOfSlab(),
                                .subsamples = workshop_.options.subsamples};
-    if (!folded_) return sliceVariant(variant);
+    if (!folded_ || part.alone) return sliceVariant(variant);
     return foldVariant(variant, plan_.forward->combine, pass, coverCounts(*plan_.forward));
 }
 

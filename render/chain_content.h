@@ -15,7 +15,7 @@ public:
     Box3 domain() const override;
     int stepsOfSlab() const override;
     std::optional<Combine> folded() const override;
-    ProgramVariant variant(bool mapped, int pass) const override;
+    ProgramVariant variant(const Part& part, int pass) const override;
     void setUniforms(Program& program) const override;
     void bind() const override;
 

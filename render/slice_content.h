@@ -23,8 +23,10 @@ public:
     struct Part {
         const CellMesh* mesh;
         Mat4 placeFromWorld;
+        /// Where pre-images combine: the cells of this part have one each, so that their fragments are complete.
+        bool alone = false;
     };
-    /// Bricks, tetrahedra, or one of each.
+    /// Bricks, tetrahedra, or one of each; tetrahedra that are alone, and those that are not.
     virtual std::vector<Part> parts() const = 0;
     /// For meshes with margins: what can be seen, by places, and the box that these may lie in.
     virtual const Visibility& visibility() const = 0;
@@ -36,7 +38,7 @@ public:
     virtual std::optional<Combine> folded() const { return std::nullopt; }
 
     /// The program that draws a part in pass `pass` (of pre-images that combine, else 0).
-    virtual ProgramVariant variant(bool mapped, int pass) const = 0;
+    virtual ProgramVariant variant(const Part& part, int pass) const = 0;
     /// Sets uniforms that only this content has.
     virtual void setUniforms(Program& program) const = 0;
     /// Binds textures and buffers.

@@ -31,13 +31,19 @@ SlicePicture::SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, 
 
 void SlicePicture::addLayer(const SliceContent::Part& part) {
     const bool mapped = part.mesh->kind == CellMesh::Kind::Tetrahedron;
-    std::array<Program*, 2> programs{&workshop_.shaders.get(content_->variant(mapped, 0)), nullptr};
-    if (folded_ && FoldTarget::passes(*folded_) == 2)
-        programs[1] = &workshop_.shaders.get(content_->variant(mapped, 1));
-    layers_.push_back({mapped, part.placeFromWorld,
+    std::array<Program*, 2> programs{&workshop_.shaders.get(content_->variant(part, 0)), nullptr};
+    if (folded_ && !part.alone && FoldTarget::passes(*folded_) == 2)
+        programs[1] = &workshop_.shaders.get(content_->variant(part, 1));
+    SliceWorkshop& w = workshop_;
+    layers_.push_back({mapped, part.alone, part.placeFromWorld,
                        CellSlicer(*part.mesh, view_, content_->domain(), content_->visibility()),
-                       mapped ? &workshop_.cells : &workshop_.bricks,
-                       mapped ? &workshop_.cellBatches : &workshop_.brickBatches, programs});
+                       part.alone ? &w.aloneCells
+                       : mapped   ? &w.cells
+                                  : &w.bricks,
+                       part.alone ? &w.aloneBatches
+                       : mapped   ? &w.cellBatches
+                                  : &w.brickBatches,
+                       programs});
     statistics_.cells += part.mesh->cellCount();
     statistics_.culledCells += part.mesh->culled;
 }
@@ -127,30 +133,59 @@ void SlicePicture::drawBatch(int number) {
     }
 }
 
+void SlicePicture::drawLayer(const Layer& layer, std::size_t pass, int number, std::size_t slice) {
+    const auto& first = (*layer.batches)[std::size_t(number)].firstIndex;
+    if (first[slice] == first[slice + 1]) return;
+    layer.programs[pass]->use();
+    layer.geometry->draw(first[slice], first[slice + 1]);
+}
+
+std::array<int, 4> SlicePicture::windowOfSlice(int number, std::size_t slice) const {
+    Vec2 low(1), high(-1);
+    for (const Layer& layer : layers_) {
+        if (layer.alone) continue;
+        const SliceBatch& batch = (*layer.batches)[std::size_t(number)];
+        const auto stride = std::size_t(layer.slicer.floatsPerVertex());
+        for (std::size_t n = batch.firstIndex[slice]; n < batch.firstIndex[slice + 1]; ++n) {
+            const float* position = &batch.vertices[stride * batch.indices[n]];
+            low = glm::min(low, Vec2(position[0], position[1]));
+            high = glm::max(high, Vec2(position[0], position[1]));
+        }
+    }
+    std::array<int, 4> window{};
+    for (int a = 0; a < 2; ++a) {
+        const auto pixel = [&](double ndc) { return (ndc + 1) / 2 * view_.size[a]; };
+        const int from = std::max(int(std::floor(pixel(low[a]))) - 1, window_[std::size_t(a)]);
+        const int to =
+            std::min(int(std::ceil(pixel(high[a]))) + 1, window_[std::size_t(a)] + window_[std::size_t(a) + 2]);
+        window[std::size_t(a)] = from;
+        window[std::size_t(a) + 2] = std::max(to - from, 0);
+    }
+    return window;
+}
+
 void SlicePicture::drawFolded(int number) {
     for (const Layer& layer : layers_) layer.geometry->upload((*layer.batches)[std::size_t(number)]);
     for (std::size_t slice = 0; slice < kBatchSlices; ++slice) {
-        const auto empty = [&](const Layer& layer) {
-            const auto& first = (*layer.batches)[std::size_t(number)].firstIndex;
-            return first[slice] == first[slice + 1];
-        };
-        if (std::all_of(layers_.begin(), layers_.end(), empty)) continue;
-        workshop_.target.bind();  // the common state
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(window_[0], window_[1], window_[2], window_[3]);
+        workshop_.target.bind();
         content_->bind();
+        for (const Layer& layer : layers_)
+            if (layer.alone) drawLayer(layer, 0, number, slice);
+        const auto window = windowOfSlice(number, slice);
+        if (window[2] == 0 || window[3] == 0) continue;
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(window[0], window[1], window[2], window[3]);
         for (int pass = 0; pass < FoldTarget::passes(*folded_); ++pass) {
             workshop_.fold.start(*folded_, pass);
             for (const Layer& layer : layers_) {
+                if (layer.alone) continue;
                 layer.mapped ? workshop_.fold.drawCells() : workshop_.fold.drawUncovered();
-                layer.programs[std::size_t(pass)]->use();
-                const auto& first = (*layer.batches)[std::size_t(number)].firstIndex;
-                layer.geometry->draw(first[slice], first[slice + 1]);
+                drawLayer(layer, std::size_t(pass), number, slice);
             }
         }
         workshop_.target.bind();
         workshop_.fold.bindTextures();
-        workshop_.target.drawWindow(*composite_, window_);
+        workshop_.target.drawWindow(*composite_, window);
     }
 }
 

@@ -29,8 +29,9 @@ struct SliceWorkshop {
     TermMesh termMesh;
     SliceTarget target;
     FoldTarget fold;
-    SliceGeometry bricks{false}, cells{true};
-    std::vector<SliceBatch> brickBatches, cellBatches;  // kept for their memory
+    /// Polygons of the bricks, of the cells, and of those that overlap no other; batches are kept for their memory.
+    SliceGeometry bricks{false}, cells{true}, aloneCells{true};
+    std::vector<SliceBatch> brickBatches, cellBatches, aloneBatches;
 };
 
 /// Slices of a scene from one camera, drawn in batches of kBatchSlices, front to back. Slices are counted from the
@@ -54,6 +55,7 @@ private:
     /// The bricks or the cells of this picture.
     struct Layer {
         bool mapped;
+        bool alone;           // drawn at once, where others' pre-images combine
         Mat4 placeFromWorld;  // for bricks
         CellSlicer slicer;
         SliceGeometry* geometry;
@@ -68,6 +70,9 @@ private:
     void cut(int count);
     void drawBatch(int number);
     void drawFolded(int number);
+    void drawLayer(const Layer& layer, std::size_t pass, int number, std::size_t slice);
+    /// Pixels that the polygons of one slice that combine may cover (glScissor).
+    std::array<int, 4> windowOfSlice(int number, std::size_t slice) const;
 
     SliceWorkshop& workshop_;
     View view_;

@@ -70,7 +70,8 @@ void SliceResources::prepareLocated(const SlicePlan& plan) {
     located_ = std::move(made);
 }
 
-CellMesh SliceResources::cellsOf(const SlicePlan& plan, const CullRequest& cull) const {
+CellMesh SliceResources::cellsOf(const SlicePlan& plan, const CullRequest& cull,
+                                 const std::vector<char>& wanted) const {
     const Visibility everything;
     const VolumeGrid& grid = plan.volume->volume->grid();
     if (!plan.forward)
@@ -80,7 +81,7 @@ CellMesh SliceResources::cellsOf(const SlicePlan& plan, const CullRequest& cull)
     if (located_)
         return tetrahedronMesh(cells, plan.worldFromDeformed, located_->entryFromSource,
                                cellsSeen(plan, visibility, cull.slab));
-    return tetrahedronMesh(cells, plan.worldFromDeformed, plan.indexFromSource, grid, visibility, cull.slab);
+    return tetrahedronMesh(cells, plan.worldFromDeformed, plan.indexFromSource, grid, visibility, cull.slab, wanted);
 }
 
 CellMesh SliceResources::uncoveredOf(const SlicePlan& plan, const CullRequest& cull) const {
@@ -95,8 +96,15 @@ void SliceResources::prepareMesh(const SlicePlan& plan, const CullRequest& cull)
         mesh_->worldFromDeformed == plan.worldFromDeformed && mesh_->indexFromSource == plan.indexFromSource &&
         mesh_->cull == cull)
         return;
-    Meshes made{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, {}, {}};
-    made.mesh = cellsOf(plan, cull);
+    Meshes made{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, {}, {}, {}};
+    std::vector<char> wanted;
+    if (cull.separate) {
+        const auto overlapping = source->cells()->overlapping();
+        for (const char overlaps : overlapping) wanted.push_back(!overlaps);
+        made.alone = cellsOf(plan, cull, wanted);
+        wanted.assign(overlapping.begin(), overlapping.end());
+    }
+    made.mesh = cellsOf(plan, cull, wanted);
     if (source && source->outside() == Outside::Keep) made.uncovered = uncoveredOf(plan, cull);
     mesh_ = std::move(made);
 }

@@ -18,6 +18,7 @@ namespace voledit {
 struct CullRequest {
     bool bricks = true, cells = true;  // leave out what cannot be seen
     double slab = 0;                   // extent of a slab along a ray at most, world units
+    bool separate = false;             // cells that overlap no other become a mesh of their own
 
     bool operator==(const CullRequest&) const = default;
 };
@@ -36,6 +37,8 @@ public:
     Mat4 entryFromSource() const { return located_ ? located_->entryFromSource : mesh_->indexFromSource; }
     /// The outermost forward map's cells; without one, the volume's bricks.
     const CellMesh& mesh() const { return mesh_->mesh; }
+    /// Those of the cells that overlap no other, where `CullRequest::separate` asked; `mesh` then holds the others.
+    const CellMesh* alone() const { return mesh_->alone ? &*mesh_->alone : nullptr; }
     /// Bricks of the operand where it stands, for a map that keeps what is outside its cells; else null.
     const CellMesh* uncovered() const { return mesh_->uncovered ? &*mesh_->uncovered : nullptr; }
     /// Binds the volume and the tables to texture units 0…3: volume, thickness, colour, gradient factor; located maps
@@ -68,14 +71,14 @@ private:
         Mat4 worldFromDeformed, indexFromSource;
         CullRequest cull;
         CellMesh mesh;
-        std::optional<CellMesh> uncovered;
+        std::optional<CellMesh> uncovered, alone;
     };
 
     void prepareVolume(const VolumeTerm& term);
     void prepareTable(const TransferFunction& function);
     void prepareLocated(const SlicePlan& plan);
     bool holdsLocated(const SlicePlan& plan) const;
-    CellMesh cellsOf(const SlicePlan& plan, const CullRequest& cull) const;
+    CellMesh cellsOf(const SlicePlan& plan, const CullRequest& cull, const std::vector<char>& wanted) const;
     CellMesh uncoveredOf(const SlicePlan& plan, const CullRequest& cull) const;
     void prepareMesh(const SlicePlan& plan, const CullRequest& cull);
 

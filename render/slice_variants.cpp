@@ -56,7 +56,10 @@ std::vector<ProgramVariant> allPrograms() {
                                    .shaded = (bits & 2) != 0,
                                    .gradientOpacity = (bits & 4) != 0,
                                    .realVoxels = (bits & 8) != 0};
-        if (variant.mapped || !variant.located) programs.push_back(sliceVariant(variant));
+        SliceVariant oneStep = variant;
+        oneStep.segments = 1;
+        if (variant.mapped || !variant.located)
+            for (const SliceVariant& either : {variant, oneStep}) programs.push_back(sliceVariant(either));
         for (const Combine combine : combines)
             for (const int pass : {0, 1})
                 for (const bool cover : {false, true}) programs.push_back(foldVariant(variant, combine, pass, cover));

@@ -21,11 +21,11 @@ TermContent::TermContent(SliceWorkshop& workshop, const CompiledScene& scene, do
 }
 
 std::vector<SliceContent::Part> TermContent::parts() const {
-    return {{&workshop_.termMesh.mesh(), glm::translate(Mat4(1), -workshop_.terms.program().origin)}};
+    return {{&workshop_.termMesh.mesh(), glm::translate(Mat4(1), -workshop_.terms.program().origin), false}};
 }
 
-ProgramVariant TermContent::variant(bool mapped, int) const {
-    return termVariant(workshop_.terms.program(), mapped, shaded_);
+ProgramVariant TermContent::variant(const Part& part, int) const {
+    return termVariant(workshop_.terms.program(), part.mesh->kind == CellMesh::Kind::Tetrahedron, shaded_);
 }
 
 void TermContent::setUniforms(Program& p) const {

@@ -14,7 +14,7 @@ public:
     const Visibility& visibility() const override { return everything_; }
     Box3 domain() const override { return {}; }
     int stepsOfSlab() const override { return workshop_.options.segments; }
-    ProgramVariant variant(bool mapped, int pass) const override;
+    ProgramVariant variant(const Part& part, int pass) const override;
     void setUniforms(Program& program) const override;
     void bind() const override { workshop_.terms.bind(); }
 
