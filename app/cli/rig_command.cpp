@@ -7,7 +7,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
 #include "core/base/error.h"
-#include "core/io/bvh.h"
 #include "core/rigging/body_frame.h"
 #include "core/rigging/rig.h"
 #include "core/scene/actor_edits.h"
@@ -94,16 +93,17 @@ Camera facing(const Box3& bounds, const BodyFrame& frame) {
     return camera;
 }
 
-void addMotion(Scene& scene, const NodePath& actor, const fs::path& file, const fs::path& folder) {
-    std::vector<std::string> warnings;
-    const Motion motion = readBvh(file, &warnings);
-    printWarnings(warnings);
+void addMotion(IoClient& io, OpenedScene& opened, const NodePath& actor, const fs::path& file) {
+    const MotionFile read = io.readMotion(file);
+    printWarnings(read.warnings);
+    const fs::path& folder = opened.folder;
     const fs::path absolute = fs::absolute(file).lexically_normal();
     const fs::path relative = absolute.lexically_relative(fs::absolute(folder).lexically_normal());
     const bool isInside = !relative.empty() && *relative.begin() != "..";
     const std::string asset =
-        addMotionAsset(scene, file.stem().string(), isInside ? relative.string() : absolute.string());
-    setMotion(scene, actor, asset, motion);
+        addMotionAsset(opened.scene, file.stem().string(), isInside ? relative.string() : absolute.string());
+    setMotion(opened.scene, actor, asset, *read.motion);
+    opened.assets.motions[asset] = read.motion;
 }
 
 int rig(const RigArguments& a, const CommonArguments& common) {
@@ -115,15 +115,15 @@ int rig(const RigArguments& a, const CommonArguments& common) {
     checkWritable(a.output);
     if (!a.report.empty()) checkWritable(a.report);
     IoClient io;
-    const OpenedScene opened = open(io, a.input, common);
+    OpenedScene opened = open(io, a.input, common);
     const CompiledScene compiled = compileAt(opened, a.input, kNaN);
     FoundRig found;
     withProgress("Rigging", common.verbosity(),
                  [&](Progress* progress) { found = findRig(*compiled.root, a, progress); });
-    Scene scene = opened.scene;
+    Scene& scene = opened.scene;
     const NodePath actor = addActor(scene, kRootPath, "Actor", found.rig);
     if (!scene.camera && found.like != RigTemplate::Chain) setCamera(scene, facing(compiled.root->bounds, found.frame));
-    if (!a.motion.empty()) addMotion(scene, actor, a.motion, opened.folder);
+    if (!a.motion.empty()) addMotion(io, opened, actor, a.motion);
     saveScene(withDefaultsWrittenOut(scene, opened.assets), a.output, opened.folder);
     if (!a.report.empty()) writeTextFile(a.report, reportOf(found).dump(2) + "\n");
     say(found, common.verbosity());
@@ -138,7 +138,7 @@ Command addRigCommand(CLI::App& command, const CommonArguments& common) {
     command.add_option("-o,--output", a->output, "Scene to write (.voledit)")->required();
     command.add_option("--template", a->rig, "auto, biped, quadruped or chain")->capture_default_str();
     command.add_option("--bones", a->options.chain, "Limbs of a chain")->capture_default_str()->type_name("N");
-    command.add_option("--motion", a->motion, "A motion (BVH) that drives it")->type_name("FILE.bvh");
+    command.add_option("--motion", a->motion, "A motion (BVH, FBX, glTF, Collada) that drives it")->type_name("FILE");
     command.add_option("--thinness", a->options.thinness, "Of the curve skeleton: larger has fewer branches")
         ->capture_default_str()
         ->type_name("F");
