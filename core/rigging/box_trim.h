@@ -11,8 +11,8 @@ struct FitProblem {
     std::vector<bool> fit;                   // of each limb
     std::vector<int> next, previous;         // connected limbs; −1 for none
     std::vector<std::vector<int>> attached;  // limbs that touch, but are not connected
-    const std::vector<std::vector<Vec3>>& rims;
-    double step = 1;  // of the voxels, world units
+    std::vector<std::vector<Vec3>> rims;     // of each limb: voxels that its region is to hold
+    double step = 1;                         // of the voxels, world units
 
     /// The limbs whose regions a voxel of limb l may lie in: its own, those connected and those attached.
     std::vector<int> keepersOf(std::size_t l) const;

@@ -91,8 +91,9 @@ struct RootedTree {
     std::vector<CurveSkeleton::Node> nodes;
 };
 
-/// Which nodes stay when side branches are cut that reach no farther out of the ball about the point where they leave
-/// than a part of its radius: such a branch follows a bump, or fans out over the sheet in the middle of a flat part.
+/// Which nodes stay when ends are cut that stay within the ball of a node before them, and side branches that reach
+/// little out of the ball where they leave: such ones follow a bump, or fan out over the sheet in the middle of a flat
+/// part.
 std::vector<bool> keptNodes(const RootedTree& tree) {
     constexpr double kBeyond = 1.5;
     const std::size_t n = tree.nodes.size();
@@ -112,7 +113,7 @@ std::vector<bool> keptNodes(const RootedTree& tree) {
     kept[0] = true;
     for (std::size_t i = 1; i < n; ++i) {
         const auto p = std::size_t(tree.parent[i]);
-        if (!kept[p]) continue;
+        if (!kept[p] || reach[p] <= tree.nodes[p].radius) continue;
         kept[i] = heir[p] == int(i) || reach[i] + step(i) > kBeyond * tree.nodes[p].radius;
     }
     return kept;

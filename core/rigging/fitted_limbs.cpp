@@ -137,10 +137,45 @@ std::vector<int> basesOf(const OpaqueVoxels& voxels, const std::vector<std::int1
     return bases;
 }
 
-FitProblem problemOf(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest, const std::vector<int>& bases,
-                     const std::vector<std::vector<Vec3>>& rims, double step) {
+/// Moves voxels along chains to the limb between whose end planes they lie, since only that one's region can hold them:
+/// what climbs to the middle of a bulge may have come to a limb farther on.
+void moveBetweenPlanes(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const FitProblem& problem,
+                       std::vector<std::int16_t>& parts) {
     const std::size_t n = limbs.size();
-    FitProblem problem{rest, std::vector<bool>(n, true), std::vector<int>(n, -1), std::vector<int>(n, -1), {}, rims,
+    std::vector<Vec3> direction, end, normal(n, Vec3(0));  // normal: of the plane shared with the next limb
+    for (std::size_t l = 0; l < n; ++l) {
+        direction.push_back(directionOf(limbs[l], problem.rest));
+        end.push_back(problem.rest[std::size_t(limbs[l].to)].position);
+    }
+    for (std::size_t l = 0; l < n; ++l)
+        if (problem.next[l] >= 0) normal[l] = direction[l] + direction[std::size_t(problem.next[l])];
+    const auto isPast = [&](int l, const Vec3& p) {
+        return problem.next[std::size_t(l)] >= 0 && glm::dot(p - end[std::size_t(l)], normal[std::size_t(l)]) > 0;
+    };
+    parallelFor(parts.size(), 1 << 14, [&](std::size_t begin, std::size_t count) {
+        for (std::size_t i = begin; i < count; ++i) {
+            if (parts[i] == kNoLimb) continue;
+            const Vec3 p = voxels.centre(cellOf(voxels, i));
+            int l = parts[i];
+            const bool forward = isPast(l, p);
+            for (std::size_t steps = 0; steps < n; ++steps) {
+                const int before = problem.previous[std::size_t(l)];
+                if (forward && isPast(l, p))
+                    l = problem.next[std::size_t(l)];
+                else if (!forward && before >= 0 && !isPast(before, p))
+                    l = before;
+                else
+                    break;
+            }
+            parts[i] = static_cast<std::int16_t>(l);
+        }
+    });
+}
+
+FitProblem problemOf(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest, const std::vector<int>& bases,
+                     double step) {
+    const std::size_t n = limbs.size();
+    FitProblem problem{rest, std::vector<bool>(n, true), std::vector<int>(n, -1), std::vector<int>(n, -1), {}, {},
                        step};
     problem.attached.resize(n);
     for (std::size_t l = 0; l < n; ++l) {
@@ -162,14 +197,15 @@ FitProblem problemOf(const std::vector<Limb>& limbs, const std::vector<PosedJoin
 std::vector<Limb> fittedLimbs(const OpaqueVoxels& voxels, const std::vector<PosedJoint>& rest, std::vector<Limb> limbs,
                               const std::vector<bool>& fit, const RigOptions& options) {
     const OpaqueVoxels solid = withoutCavities(voxels);
-    const auto parts = limbParts(solid, distanceField(solid), limbs, rest);
-    const auto rims = rimsOf(solid, parts, limbs.size());
+    auto parts = limbParts(solid, distanceField(solid), limbs, rest);
     const double step = std::max({voxels.spacing.x, voxels.spacing.y, voxels.spacing.z});
-    FitProblem problem = problemOf(limbs, rest, basesOf(solid, parts, rest, limbs), rims, step);
+    FitProblem problem = problemOf(limbs, rest, basesOf(solid, parts, rest, limbs), step);
     if (!fit.empty()) problem.fit = fit;
+    moveBetweenPlanes(solid, limbs, problem, parts);
+    problem.rims = rimsOf(solid, parts, limbs.size());
     for (std::size_t l = 0; l < limbs.size(); ++l) {
         if (!problem.fit[l]) continue;
-        LimbExtents extents = extentsOf(limbs[l], rest, rims[l]);
+        LimbExtents extents = extentsOf(limbs[l], rest, problem.rims[l]);
         if (extents.empty()) extents = {Vec3(0), Vec3(0)};
         limbs[l] = boxed(limbs[l], rest, extents, 1e-3 * step);
     }

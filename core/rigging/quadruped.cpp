@@ -108,8 +108,10 @@ std::optional<Feet> fourFeet(const BodyShape& body) {
         static_cast<int>(std::lround((body.box.min.y + 0.1 * height - body.voxels.origin.y) / body.voxels.spacing.y));
     auto parts = partsOf(body.voxels, low, high, 1);
     if (parts.size() < 4) return std::nullopt;
-    parts.resize(4);
+    // Four of about one size, and no more of them.
     if (parts[3].cells * 8 < parts[0].cells) return std::nullopt;
+    if (parts.size() > 4 && parts[4].cells * 8 >= parts[0].cells) return std::nullopt;
+    parts.resize(4);
     std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.mean.z < b.mean.z; });
     Feet feet;
     for (std::size_t pair = 0; pair < 2; ++pair) {

@@ -1,6 +1,7 @@
 #include "core/rigging/rig.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/rigging/biped.h"
@@ -26,6 +27,17 @@ void requireSome(const OpaqueVoxels& voxels) {
 
 BodyShape shapeOf(const OpaqueVoxels& voxels, const BodyFrame& frame, const RigOptions& options) {
     return {turned(voxels, frame), options.thinness};
+}
+
+/// Whether a level through the shins shows two parts of about one size, on both sides of the middle.
+bool standsOnTwoLegs(const BodyShape& body) {
+    Index3 low(0), high = body.voxels.size - 1;
+    const double shins = body.box.min.y + 0.18 * body.box.size().y;
+    low.y = high.y = static_cast<int>(std::lround((shins - body.voxels.origin.y) / body.voxels.spacing.y));
+    const auto parts = partsOf(body.voxels, low, high, 1);
+    return parts.size() >= 2 && parts[1].cells * 3 >= parts[0].cells &&
+           (parts.size() == 2 || parts[2].cells * 4 < parts[1].cells) &&
+           (parts[0].mean.x > body.mean.x) != (parts[1].mean.x > body.mean.x);
 }
 
 /// Skeleton and limbs without boxes.
@@ -65,9 +77,10 @@ RigTemplate suitedTemplate(const OpaqueVoxels& voxels, const RigOptions& options
     requireSome(voxels);
     const BodyShape four = shapeOf(voxels, bodyFrame(voxels, true), options);
     if (fourFeet(four)) return RigTemplate::Quadruped;
-    const BipedPaths paths = bipedPaths(shapeOf(voxels, bodyFrame(voxels, false), options));
+    const BodyShape two = shapeOf(voxels, bodyFrame(voxels, false), options);
+    const BipedPaths paths = bipedPaths(two);
     const auto isThere = [](const std::array<MedialPath, 2>& pair) { return !pair[0].empty() && !pair[1].empty(); };
-    return isThere(paths.leg) && isThere(paths.arm) ? RigTemplate::Biped : RigTemplate::Chain;
+    return standsOnTwoLegs(two) && isThere(paths.leg) && isThere(paths.arm) ? RigTemplate::Biped : RigTemplate::Chain;
 }
 
 Rig fittedRig(const OpaqueVoxels& voxels, RigTemplate rig, const RigOptions& options) {
