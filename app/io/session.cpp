@@ -9,6 +9,7 @@
 #include "app/io/header_text.h"
 #include "app/io/limits.h"
 #include "app/io/module_loader.h"
+#include "app/io/modules/motions.h"
 #include "app/io/modules/pictures.h"
 #include "app/io/png_file.h"
 #include "app/io/read_volume.h"
@@ -16,6 +17,7 @@
 #include "app/io/writers.h"
 #include "core/base/error.h"
 #include "core/fields/statistics.h"
+#include "core/io/bvh.h"
 #include "core/io/memory_file.h"
 #include "core/io/protocol.h"
 
@@ -172,6 +174,25 @@ Answer readPicture(const IoRequest& request) {
     return {std::move(reply), std::move(file)};
 }
 
+Answer readMotion(const IoRequest& request) {
+    const Source source{request.path, request.shownPath};
+    const std::uint64_t bytes = InputFile(source).size();
+    if (bytes == 0) throw Error(source.name, "is empty", "copy or download the file anew");
+    limitParsing(bytes);
+    StoredMotion stored;
+    moduleFunction<decltype(voleditReadMotion)>("voledit-io-motions.so", "voleditReadMotion")(source, stored);
+    const std::string text = bvhText(stored.motion);
+    FileDescriptor file = makeMemoryFile(text.size());
+    std::memcpy(mapForWriting(file.get(), text.size()).bytes.data(), text.data(), text.size());
+    seal(file.get());
+    IoReply reply;
+    reply.kind = IoReply::Kind::Motion;
+    reply.format = stored.format;
+    reply.notes = std::move(stored.warnings);
+    reply.textBytes = text.size();
+    return {std::move(reply), std::move(file)};
+}
+
 Answer writePicture(const IoRequest& request, const FileDescriptor& file) {
     Picture picture(request.pictureSize);
     const auto [pixels, owner] = mapSealed(file.get(), picture.pixels.size() * sizeof(Vec4f));
@@ -199,6 +220,8 @@ Answer answer(const IoRequest& request, const FileDescriptor& file, int client) 
             return writeVolume(request, file, reporter);
         case IoTask::ReadPicture:
             return readPicture(request);
+        case IoTask::ReadMotion:
+            return readMotion(request);
         case IoTask::WritePicture:
             break;
     }

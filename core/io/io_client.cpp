@@ -219,9 +219,18 @@ void throwIfFailed(const IoReply& reply, IoReply::Kind expected) {
 
 }  // namespace
 
-bool isMotionFile(const fs::path& path) {
+namespace {
+
+std::string lowerEnding(const fs::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+}  // namespace
+
+bool isMotionFile(const fs::path& path) {
+    const std::string ending = lowerEnding(path);
     constexpr std::array endings{".bvh", ".gltf", ".glb", ".fbx", ".dae"};
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
@@ -230,7 +239,20 @@ MotionFile IoClient::readMotion(const fs::path& path, Progress* progress) {
     MotionFile file;
     file.format = "bvh";
     report(progress, 0);
-    file.motion = std::make_shared<const Motion>(readBvh(path, &file.warnings));
+    if (!isMotionFile(path) || lowerEnding(path) == ".bvh") {
+        file.motion = std::make_shared<const Motion>(readBvh(path, &file.warnings));
+    } else {
+        IoRequest request = requestFor(IoTask::ReadMotion, path, path);
+        request.memoryLimit = memoryLimit();
+        auto [reply, memory] = process_->ask(std::move(request), -1, progress);
+        throwIfFailed(reply, IoReply::Kind::Motion);
+        if (reply.textBytes > BvhLimits::fileBytes) throw Error("voledit-io returned a motion that cannot be");
+        const auto [bytes, owner] = mapSealed(memory.get(), std::max<std::size_t>(std::size_t(reply.textBytes), 1));
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), std::size_t(reply.textBytes));
+        file.format = reply.format;
+        file.warnings = std::move(reply.notes);
+        file.motion = std::make_shared<const Motion>(parseBvh(text, path.string(), &file.warnings));
+    }
     report(progress, 1);
     return file;
 }

@@ -127,6 +127,7 @@ void describeReply(Archive& archive, Reply& r) {
     archive(r.mesh);
     archive(r.notes);
     archive(r.pictureSize);
+    archive(r.textBytes);
 }
 
 }  // namespace
@@ -148,7 +149,7 @@ IoRequest unpackRequest(std::span<const std::byte> packet) {
     IoRequest request;
     describeRequest(unpacker, request);
     unpacker.finish();
-    if (request.task > IoTask::WritePicture || request.type > VoxelType::Double)
+    if (request.task > IoTask::ReadMotion || request.type > VoxelType::Double)
         throw Error("voledit-io was asked for something unknown");
     return request;
 }
@@ -158,7 +159,7 @@ IoReply unpackReply(std::span<const std::byte> packet) {
     IoReply reply;
     describeReply(unpacker, reply);
     unpacker.finish();
-    if (reply.kind > IoReply::Kind::Written || reply.type > VoxelType::Double)
+    if (reply.kind > IoReply::Kind::Motion || reply.type > VoxelType::Double)
         throw Error("voledit-io sent a message of an unknown kind");
     return reply;
 }

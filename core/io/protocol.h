@@ -15,7 +15,7 @@
 
 namespace voledit {
 
-enum class IoTask : std::uint8_t { ReadVolume, WriteVolume, ReadPicture, WritePicture };
+enum class IoTask : std::uint8_t { ReadVolume, WriteVolume, ReadPicture, WritePicture, ReadMotion };
 
 /// Client to parser. Writing carries the voxels (or float RGBA pixels) as a memory file.
 struct IoRequest {
@@ -30,9 +30,10 @@ struct IoRequest {
     Index2 pictureSize{0};  // writing a picture
 };
 
-/// Parser to client: any number of Progress, then one of the others. Volume, Mesh and Picture carry a memory file.
+/// Parser to client: any number of Progress, then one of the others. Volume, Mesh, Picture and Motion carry a memory
+/// file; a motion's holds it as BVH text, which the client reads as it does any stranger's.
 struct IoReply {
-    enum class Kind : std::uint8_t { Progress, Failed, Volume, Mesh, Picture, Written };
+    enum class Kind : std::uint8_t { Progress, Failed, Volume, Mesh, Picture, Written, Motion };
 
     Kind kind = Kind::Progress;
     double fraction = 0;
@@ -42,8 +43,10 @@ struct IoReply {
     VoxelType type = VoxelType::UInt8;
     VolumeStatistics statistics;
     MeshCounts mesh;
-    std::vector<std::string> notes;  // Volume, Mesh: warnings; Written: names of the files made, the header last
+    std::vector<std::string>
+        notes;  // Volume, Mesh, Motion: warnings; Written: names of the files made, the header last
     Index2 pictureSize{0};
+    std::uint64_t textBytes = 0;  // Motion
 };
 
 std::vector<std::byte> pack(const IoRequest& request);

@@ -63,19 +63,6 @@ TEST(ExitStatus, RawFileWithoutRawIsOne) {
     EXPECT_NE(result.err.find("--raw"), std::string::npos) << result.err;
 }
 
-TEST(ExitStatus, BuiltLaterSaysSo) {
-    for (const std::vector<std::string>& arguments :
-         std::vector<std::vector<std::string>>{{"animate", "x"},
-                                               {"pose", "x"},
-                                               {"--quiet", "pose", "x"},
-                                               {"convert", "a.bvh", "b.bvh"},
-                                               {"sample", "a.bvh", "--at", "0,0,0"}}) {
-        const auto result = run("voledit", arguments);
-        EXPECT_EQ(result.status, 1);
-        EXPECT_NE(result.err.find("not built yet"), std::string::npos) << result.err;
-    }
-}
-
 TEST(ExitStatus, AWordThatIsNeitherCommandNorFileIsNamed) {
     const auto result = run("voledit", {"rendre"});
     EXPECT_EQ(result.status, 1);

@@ -22,6 +22,7 @@ IoReply fullReply() {
     reply.type = VoxelType::Int16;
     reply.statistics = {-1, 2, 0.5, std::vector<std::uint64_t>(256, 7)};
     reply.notes = {"one", "two"};
+    reply.textBytes = 1234567890123;
     return reply;
 }
 
@@ -37,6 +38,7 @@ TEST(Protocol, RepliesArriveWhole) {
     EXPECT_EQ(reply.statistics.mean, sent.statistics.mean);
     EXPECT_EQ(reply.statistics.histogram, sent.statistics.histogram);
     EXPECT_EQ(reply.notes, sent.notes);
+    EXPECT_EQ(reply.textBytes, sent.textBytes);
 }
 
 TEST(Protocol, RequestsArriveWhole) {
