@@ -66,7 +66,7 @@ struct ActorRig {
     bool inPlace = false;
     bool allDisjoint = false;           // `mode`
     std::vector<std::string> disjoint;  // joints
-    Index3 cells{4, 4, 10};             // of a limb
+    Index3 cells{6, 6, 8};             // of a limb
     double miterLimit = 2;
     bool smooth = true;
     bool preserveVolume = false;

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/skeleton/limb_checks.h"
+#include "core/skeleton/limb_hubs.h"
 #include "core/skeleton/limb_interior.h"
 #include "core/skeleton/limb_jacobians.h"
 
@@ -48,6 +49,8 @@ public:
         fillPositions();
         if (options_.smooth) smooth();
         if (options_.preserveVolume) preserveVolume();
+        if (options_.smooth)
+            blendHubs({limbs_, links_, rest_, motions_, options_.disjoint}, grid_, sources_, deformed_);
         numberVertices();
         writeVertices();
         for (std::size_t l = 0; l < limbs_.size(); ++l) writeHexahedra(l);

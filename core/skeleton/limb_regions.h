@@ -25,9 +25,9 @@ struct Limb {
 Mat3 boneFrame(const Vec3& direction, double roll);
 
 struct RegionOptions {
-    Index3 cells{4, 4, 10};       // subdivision of each limb: across x, across y, along the bone; ≥ 1 each
+    Index3 cells{6, 6, 8};        // subdivision of each limb: across x, across y, along the bone; ≥ 1 each
     double miterLimit = 2;        // ≥ 1: mitred corners reach at most so many times as far as straight ones
-    bool smooth = true;           // bends are C¹ across joints; else each region is the bare hexahedron
+    bool smooth = true;           // bends are C¹ across joints, hubs blend; else each region is the bare hexahedron
     bool preserveVolume = false;  // sections are scaled so that they keep their volume where limbs twist or stretch
     std::vector<bool> disjoint;   // of each joint; empty: all connected
 };
@@ -47,7 +47,8 @@ struct LimbRegions {
 /// lines meet the plane, in the rest pose as in any other. Past the miter limit, and for d₁ = −d₂, each box ends in a
 /// plane of its own, turned no further than the limit allows, and extra cells (the bevel) fill the wedge between. The
 /// other limbs that begin there begin in a plane across their bone, `pad` before the joint: boxes overlap about the
-/// hub, and union joins them. *Disjoint* joints leave each limb its box: rigid, with its pads.
+/// hub, and union joins them; with `smooth` they move as one where they overlap at rest (limb_hubs.h). *Disjoint*
+/// joints leave each limb its box: rigid, with its pads.
 ///
 /// Inside, a region is the trilinear map between its corners, in `cells` parts; with `smooth` a term is added near
 /// connected joints that vanishes on all shared faces and makes the derivative across them continuous (zero where rest

@@ -1,0 +1,166 @@
+#include "core/skeleton/limb_hubs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <tuple>
+
+#include "core/base/box3.h"
+
+namespace voledit {
+
+namespace {
+
+/// Part of a region's width, from a face inwards, over which its say grows from 0 to 1.
+constexpr double kRamp = 0.4;
+
+Vec3 pointIn(const LimbShape& shape, const Vec3& s) {
+    return (1 - s.z) * pointOf(shape.start, s.x, s.y) + s.z * pointOf(shape.end, s.x, s.y);
+}
+
+Mat3 derivativeIn(const LimbShape& shape, const Vec3& s) {
+    return {(1 - s.z) * alongU(shape.start, s.y) + s.z * alongU(shape.end, s.y),
+            (1 - s.z) * alongV(shape.start, s.x) + s.z * alongV(shape.end, s.x),
+            pointOf(shape.end, s.x, s.y) - pointOf(shape.start, s.x, s.y)};
+}
+
+/// (u, v, w) of q in a rest region, by Newton from its middle; nullopt outside it.
+std::optional<Vec3> placeIn(const LimbShape& shape, const Vec3& q) {
+    Vec3 s(0.5);
+    for (int step = 0; step < 12; ++step) {
+        const Mat3 derivative = derivativeIn(shape, s);
+        if (!(std::abs(glm::determinant(derivative)) > 0)) return std::nullopt;
+        const Vec3 change = glm::inverse(derivative) * (q - pointIn(shape, s));
+        s = glm::clamp(s + change, Vec3(-1), Vec3(2));
+        if (glm::length(change) < 1e-10) break;
+    }
+    // A twisted region may have places that Newton does not come to.
+    const Mat3 reach = derivativeIn(shape, s);
+    const double size = glm::length(reach[0]) + glm::length(reach[1]) + glm::length(reach[2]);
+    if (!(glm::length(q - pointIn(shape, s)) < 1e-9 * size)) return std::nullopt;
+    for (int a = 0; a < 3; ++a)
+        if (!(s[a] >= -1e-9 && s[a] <= 1 + 1e-9)) return std::nullopt;
+    return glm::clamp(s, Vec3(0), Vec3(1));
+}
+
+Box3 boxOf(const LimbShape& shape) {
+    Box3 box;
+    for (const Quad* face : {&shape.start, &shape.end})
+        for (const Vec3& corner : *face) box = join(box, corner);
+    return box;
+}
+
+double risen(double depth) {
+    return glm::smoothstep(0.0, kRamp, depth);
+}
+
+class Hubs {
+public:
+    Hubs(const HubLimbs& limbs, const LimbGrid& grid, const std::vector<std::vector<Vec3>>& sources,
+         std::vector<std::vector<Vec3>>& deformed)
+        : in_(limbs), grid_(grid), sources_(sources), deformed_(deformed), before_(deformed) {}
+
+    void blend() {
+        const auto neighbours = hubNeighbours(in_);
+        for (std::size_t l = 0; l < neighbours.size(); ++l)
+            if (!neighbours[l].empty()) blendLimb(l, neighbours[l]);
+    }
+
+private:
+    /// How much limb l has to say at (u, v, w) of its region.
+    double weight(std::size_t l, const Vec3& s) const {
+        const double across = risen(std::min(s.x, 1 - s.x)) * risen(std::min(s.y, 1 - s.y));
+        return across * (in_.links.previous[l] < 0 ? risen(s.z) : 1) * (in_.links.next[l] < 0 ? risen(1 - s.z) : 1);
+    }
+
+    /// By how much limb l moves what is at (u, v, w) of its region at rest, as its cells do before any blending.
+    Vec3 displacement(std::size_t l, const Vec3& s) const {
+        const Vec3 at = s * Vec3(grid_.cells);
+        const Index3 cell = glm::clamp(Index3(at), Index3(0), grid_.cells - 1);
+        const Vec3 part = at - Vec3(cell);
+        Vec3 sum(0);
+        for (int corner = 0; corner < 8; ++corner) {
+            const Index3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+            const Vec3 share = glm::mix(1.0 - part, part, Vec3(side));
+            const Index3 v = cell + side;
+            const std::size_t vertex = std::size_t(v.z) * grid_.layerSize() +
+                                       std::size_t(v.y) * std::size_t(grid_.cells.x + 1) + std::size_t(v.x);
+            sum += share.x * share.y * share.z * (before_[l][vertex] - sources_[l][vertex]);
+        }
+        return sum;
+    }
+
+    void blendLimb(std::size_t l, const std::vector<int>& neighbours) {
+        std::vector<Box3> boxes;
+        for (const int k : neighbours) boxes.push_back(boxOf(in_.motions[std::size_t(k)].rest));
+        for (std::size_t n = 0; n < grid_.size(); ++n) {
+            const Vec3& q = sources_[l][n];
+            const Index3 v(int(n % std::size_t(grid_.cells.x + 1)),
+                           int(n % grid_.layerSize() / std::size_t(grid_.cells.x + 1)), int(n / grid_.layerSize()));
+            const Vec3 own = before_[l][n] - q;
+            double weights = weight(l, Vec3(v) / Vec3(grid_.cells));
+            Vec3 change(0);
+            for (std::size_t k = 0; k < neighbours.size(); ++k) {
+                if (!boxes[k].contains(q)) continue;
+                const std::size_t other = std::size_t(neighbours[k]);
+                const auto place = placeIn(in_.motions[other].rest, q);
+                if (!place) continue;
+                const double w = weight(other, *place);
+                weights += w;
+                change += w * (displacement(other, *place) - own);
+            }
+            if (weights > 0) deformed_[l][n] += change / weights;
+        }
+    }
+
+    HubLimbs in_;
+    LimbGrid grid_;
+    const std::vector<std::vector<Vec3>>& sources_;
+    std::vector<std::vector<Vec3>>& deformed_;
+    const std::vector<std::vector<Vec3>> before_;
+};
+
+}  // namespace
+
+std::vector<std::vector<int>> hubNeighbours(const HubLimbs& in) {
+    const std::size_t count = in.limbs.size();
+    std::vector<std::vector<int>> met(count);
+    const auto meet = [&](int a, int b) {
+        if (a < 0 || b < 0 || a == b) return;
+        const auto& links = in.links;
+        if (links.next[std::size_t(a)] == b || links.previous[std::size_t(a)] == b) return;
+        met[std::size_t(a)].push_back(b);
+        met[std::size_t(b)].push_back(a);
+    };
+    for (std::size_t l = 0; l < count; ++l) {
+        const Limb& limb = in.limbs[l];
+        if (in.links.previous[l] >= 0 || (!in.disjoint.empty() && in.disjoint[std::size_t(limb.from)])) continue;
+        const Vec3& joint = in.rest[std::size_t(limb.from)].position;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (k == l) continue;
+            if (in.limbs[k].from != limb.from && in.limbs[k].to != limb.from && !placeIn(in.motions[k].rest, joint))
+                continue;
+            for (const int a : {int(l), in.links.next[l]})
+                for (const int b : {int(k), in.links.next[k], in.links.previous[k]}) meet(a, b);
+        }
+    }
+    for (auto& of : met) {
+        // In an order that does not depend on that of the limbs, so that sums do not either.
+        std::sort(of.begin(), of.end(), [&](int a, int b) {
+            const Limb &first = in.limbs[std::size_t(a)], &second = in.limbs[std::size_t(b)];
+            return std::tie(first.from, first.to, a) < std::tie(second.from, second.to, b);
+        });
+        of.erase(std::unique(of.begin(), of.end()), of.end());
+    }
+    return met;
+}
+
+void blendHubs(const HubLimbs& limbs, const LimbGrid& grid, const std::vector<std::vector<Vec3>>& sources,
+               std::vector<std::vector<Vec3>>& deformed) {
+    Hubs(limbs, grid, sources, deformed).blend();
+}
+
+}  // namespace voledit

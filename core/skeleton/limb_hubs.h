@@ -1,0 +1,34 @@
+#pragma once
+// Limbs that overlap about a hub, drawn along by each other. Of use to limb_regions.cpp only.
+
+#include <span>
+#include <vector>
+
+#include "core/skeleton/limb_interior.h"
+
+namespace voledit {
+
+/// What blending needs of all limbs: as many of each.
+struct HubLimbs {
+    const std::vector<Limb>& limbs;
+    const LimbLinks& links;
+    const std::vector<PosedJoint>& rest;
+    const std::vector<LimbMotion>& motions;
+    const std::vector<bool>& disjoint;  // of the joints; empty: none
+};
+
+/// For each limb the others that meet it about a branch, by their joints: a limb that continues none is rooted in those
+/// whose rest region holds its first joint (also those that begin or end there), unless that joint is disjoint. It and
+/// the limb that continues it meet those and their neighbours in the chain. Chains without branches meet nobody.
+std::vector<std::vector<int>> hubNeighbours(const HubLimbs& limbs);
+
+/// Makes limbs that overlap at rest, about a branch, agree where they do, so that what two of them hold moves as one
+/// and their faces show no step: a vertex of limb j moves by the mean of what j and its neighbours do there, weighted
+/// by how deep it lies in each (1 within, falling smoothly to 0 on the faces; faces shared with a continuation do not
+/// count). So a partition of unity over the overlapping maps; on a face of j that lies within k, j moves as k does.
+/// Only overlaps change, and nothing to the bit where rest and pose are equal.
+/// @param sources,deformed  of each limb's whole grid; the second is changed
+void blendHubs(const HubLimbs& limbs, const LimbGrid& grid, const std::vector<std::vector<Vec3>>& sources,
+               std::vector<std::vector<Vec3>>& deformed);
+
+}  // namespace voledit
