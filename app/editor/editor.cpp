@@ -16,7 +16,10 @@
 #include "app/editor/motion_import.h"
 #include "app/editor/node_actions.h"
 #include "app/editor/theme.h"
+#include "app/editor/timeline/dope_rows.h"
+#include "app/editor/timeline/key_actions.h"
 #include "app/editor/timeline/key_row.h"
+#include "app/editor/timeline/keying.h"
 #include "app/editor/timeline/timeline_actions.h"
 #include "app/editor/tools/node_overlay.h"
 #include "app/editor/tools/tool_actions.h"
@@ -102,6 +105,7 @@ Editor::Editor(const EditorSettings& settings, IoClient& io)
     addNodeActions(workspace_.actions, workspace_);
     addAddActions(workspace_.actions, workspace_, [this] { files_.chooseFormulaFile(); });
     addTimelineActions(workspace_.actions, workspace_);
+    addKeyActions(workspace_.actions, workspace_);
     addViewActions();
     addLookActions();
 }
@@ -177,6 +181,7 @@ void Editor::frame(const FrameInput& input) {
     if (recorder_ && played && !timeline.playback.playing())
         recorder_->action("timeline.goto", numberText(workspace_.time));
     guarded([&] { settleSelection(workspace_); });
+    settleKeys(workspace_);
     refreshFormulaFiles(false);
     compileScene();
     updateActors();
@@ -260,6 +265,8 @@ void Editor::dispatchKey(Key key) {
         if (key == Key::Escape) closeMenu();
         return;
     }
+    // Its own keys are read where it is drawn.
+    if (timeline_.busy()) return;
     const Chord chord{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
     // A widget that is dragged or typed in has the keyboard: Escape restores it.
     const bool widgetActive = ImGui::IsAnyItemActive() && !tools_.capturing();
@@ -305,13 +312,17 @@ Vec2 Editor::locate(const Place& place) const {
     return locatePlace(place, workspace_, widgets_, window_);
 }
 
-void Editor::reveal(const std::string& widget) {
-    widgets_.reveal(widgetNamed(widget, widgets_));
+void Editor::reveal(const Place& place) {
+    if (place.kind == Place::Kind::Widget) widgets_.reveal(widgetNamed(place.name, widgets_));
+    if (place.kind != Place::Kind::Key) return;
+    workspace_.timeline.reveal = trackNamed(workspace_.document.scene(), place.name).value_or("");
+    workspace_.timeline.revealKey = place.point.x;
 }
 
 // What the mouse holds is let go, and the scene is as it was before.
 void Editor::endGestures() {
     tools_.cancel(toolContext(workspace_));
+    timeline_.cancel(workspace_);
     if (!ImGui::IsAnyMouseDown()) return;
     workspace_.document.cancel();
     ImGui::ClearActiveID();

@@ -81,8 +81,8 @@ public:
     void act(const std::string& action, const std::string& argument);
     /// Window pixels of a place that is on the screen. Throws Error that says what there is.
     Vec2 locate(const Place& place) const;
-    /// Scrolls the widget of that name into view within the next two frames, where it is in a panel that scrolls.
-    void reveal(const std::string& widget);
+    /// Scrolls a widget or key into view within the next two frames, where it is in a panel that scrolls.
+    void reveal(const Place& place);
     /// Where frames and actions are written; null: nowhere. Outlives the editor or is taken off.
     void setRecorder(Recorder* recorder) { recorder_ = recorder; }
 

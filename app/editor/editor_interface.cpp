@@ -69,6 +69,17 @@ std::string rendererWord(RendererChoice choice) {
     return choice == RendererChoice::Slices ? "slices" : choice == RendererChoice::Rays ? "rays" : "auto";
 }
 
+// "24.0 fps  ·  3 dropped" while the timeline plays.
+std::string playedText(const Workspace& workspace) {
+    const Playback& playback = workspace.timeline.playback;
+    if (!playback.playing()) return {};
+    const auto rate = playback.shownRate();
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%.1f fps", rate.value_or(workspace.document.scene().timeline.fps));
+    const std::int64_t dropped = playback.dropped();
+    return text.data() + (dropped > 0 ? "  ·  " + std::to_string(dropped) + " dropped" : std::string());
+}
+
 void dimText(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
     ImGui::TextUnformatted(text.c_str());
@@ -259,7 +270,9 @@ void Editor::drawStatus() {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
     std::string right = volumeLine();
-    if (times && workspace_.open) {
+    if (const std::string played = playedText(workspace_); !played.empty()) {
+        right += (right.empty() ? "" : "      ") + played;
+    } else if (times && workspace_.open) {
         std::array<char, 64> text;
         if (refinement < 1)
             std::snprintf(text.data(), text.size(), "%s  %3.0f %%", rendererName_.c_str(), 100 * refinement);
@@ -311,7 +324,10 @@ void Editor::drawShortcuts() {
         line(keys, what);
     ImGui::Separator();
     for (const Action& action : workspace_.actions.all())
-        if (!action.shortcut.empty()) line(action.shortcut, action.title);
+        if (!action.shortcut.empty())
+            line(action.shortcut, action.title + (action.region == KeyRegion::Timeline ? "  (over the timeline)"
+                                                  : action.region == KeyRegion::Panels ? "  (over the panels)"
+                                                                                       : ""));
     ImGui::EndChild();
     const bool close =
         ui::button("Close") ||

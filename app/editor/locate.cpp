@@ -4,6 +4,7 @@
 #include <cctype>
 #include <glm/common.hpp>
 
+#include "app/editor/timeline/dope_rows.h"
 #include "app/editor/tools/actor_view.h"
 #include "app/editor/tools/tool_actions.h"
 #include "core/base/error.h"
@@ -64,6 +65,26 @@ Vec2 shownJointAt(const Place& place, const Workspace& workspace) {
     return Vec2(workspace.viewOrigin) + Vec2(pixel);
 }
 
+Vec2 keyAt(const Place& place, const Workspace& workspace) {
+    const std::string name = textOf({.kind = Place::Kind::Key, .name = place.name, .point = place.point});
+    const Scene& scene = workspace.document.scene();
+    const auto path = trackNamed(scene, place.name);
+    if (!path) {
+        std::string labels;
+        for (const KeyableValue& value : animatedValues(scene))
+            labels += "\n  " + value.label + "  (" + value.path + ")";
+        throw Error(name + ": nothing of that name has keys" + (labels.empty() ? "" : "; there are:" + labels));
+    }
+    const auto count = int(keysOf(scene, *path).size());
+    if (place.point.x >= count)
+        throw Error(name + ": it has " + std::to_string(count) + (count == 1 ? " key" : " keys") + ", counted from 0");
+    for (const ShownKey& key : workspace.timeline.shownKeys)
+        if (key.path == *path && key.index == place.point.x && key.visible) return key.at;
+    throw Error(name +
+                " is not on the screen; show the timeline (do view.timeline on) and frame it (do "
+                "timeline.frame-all)");
+}
+
 Vec2 placeAt(const Place& place, const Workspace& workspace, const WidgetPlaces& widgets) {
     switch (place.kind) {
         case Place::Kind::Pixel:
@@ -83,7 +104,7 @@ Vec2 placeAt(const Place& place, const Workspace& workspace, const WidgetPlaces&
         case Place::Kind::Joint:
             return shownJointAt(place, workspace);
         case Place::Kind::Key:
-            throw Error("@key(" + place.name + ",…): tracks are not in this version");
+            return keyAt(place, workspace);
     }
     return {};
 }

@@ -9,7 +9,8 @@ namespace voledit {
 
 /// Window pixels (from the upper left) of `place`, for the viewport and camera of `workspace` and the widgets drawn
 /// last. Throws Error where it is not on the screen: outside a window of `window` pixels, a point outside the viewport
-/// or behind the eye, an unknown or hidden widget (the message lists widgets with like names), and for @joint and @key.
+/// or behind the eye, an unknown or hidden widget (the message lists widgets with like names), an unknown joint, and a
+/// key that the timeline does not show.
 Vec2 locatePlace(const Place& place, const Workspace& workspace, const WidgetPlaces& widgets, Index2 window);
 
 /// The name on the screen that `wanted` means: case, and the dots of "Open…", do not matter. `wanted` where there is

@@ -96,8 +96,9 @@ Vec2 Session::locate(const Place& place) {
         try {
             return editor_->locate(place);
         } catch (const Error&) {
-            if (place.kind != Place::Kind::Widget || n >= kLayoutFrames) throw;
-            editor_->reveal(place.name);
+            const bool hidden = place.kind == Place::Kind::Widget || place.kind == Place::Kind::Key;
+            if (!hidden || n >= kLayoutFrames) throw;
+            editor_->reveal(place);
             frame({});
         }
     }

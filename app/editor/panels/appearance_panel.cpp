@@ -7,6 +7,7 @@
 
 #include "app/editor/icons.h"
 #include "app/editor/theme.h"
+#include "app/editor/timeline/key_row.h"
 #include "core/scene/appearance.h"
 #include "core/scene/edits.h"
 
@@ -109,6 +110,8 @@ void opacityDistance(Workspace& workspace) {
     format.min = 1e-6;
     format.decimals = distance < 0.1 ? 4 : 2;
     format.speed = distance / 100;
+    const KeyRow keys(workspace, tracked ? "/opacityDistance" : "", "Opacity distance",
+                      tracked ? keyStateOf(*tracked, workspace.time) : KeyState::None);
     const Edit edit = ui::number("Opacity distance", distance, format,
                                  "The length of material that has the opacity drawn above. Shorter is denser.");
     applyEdit(document, edit, "Change density",

@@ -95,6 +95,9 @@ void Inspection::tracked(const char* label, const std::string& member, Tracked<T
     }
     if (edit.changed) setWhen(value, now, workspace_.when());
     note(edit, stepFor(label));
+    if (member.empty() || !takeKeyWish(workspace_, path_ + member)) return;
+    setWhen(value, now, {workspace_.time, true});
+    note({true, true, false}, "Insert key");
 }
 
 }  // namespace voledit

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include "app/editor/icons.h"
+#include "app/editor/timeline/key_row.h"
 #include "app/editor/tools/tool_actions.h"
 #include "app/editor/widgets.h"
 #include "core/scene/edits.h"
@@ -55,7 +56,13 @@ void drawStrength(Workspace& workspace, const std::string& name, const Transfer&
     Document& document = workspace.document;
     double amount = transfer.amount.at(workspace.time);
     NumberFormat format{0, 1, 0, 2};
-    const Edit scaled = ui::slider("Amount", amount, format, "How much of the deformation is applied");
+    Edit scaled;
+    {
+        const NodePath path = followedUse(document.scene(), workspace.selection.node);
+        const KeyRow keys(workspace, path.empty() ? "" : path + "/amount", "Amount",
+                          keyStateOf(transfer.amount, workspace.time));
+        scaled = ui::slider("Amount", amount, format, "How much of the deformation is applied");
+    }
     applyEdit(document, scaled, "Change amount",
               [&](Scene& scene) { setTransferAmount(scene, name, amount, workspace.when()); });
 

@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/timeline/key_row.h"
 #include "app/editor/widgets.h"
 #include "core/scene/edits.h"
 #include "core/scene/scene_at.h"
@@ -31,12 +32,20 @@ void drawShading(Workspace& workspace) {
     };
     apply(ui::checkbox("Shading", render.shading, "Light surfaces by the gradient of the data"), "Change shading");
     if (!render.shading) return;
-    NumberFormat share{0, 1, 0, 2};
-    apply(ui::slider("Ambient", render.ambient, share, "Light from everywhere"), "Change ambient light");
-    apply(ui::slider("Diffuse", render.diffuse, share, "Light on matt surfaces"), "Change diffuse light");
-    apply(ui::slider("Specular", render.specular, share, "Highlights"), "Change specular light");
-    NumberFormat exponent{1, 200, 0, 0, "", true};
-    apply(ui::slider("Shininess", render.shininess, exponent, "Sharpness of the highlights"), "Change shininess");
+    const auto number = [&](const char* label, const char* member, double& value, const Tracked<double>& tracked,
+                            const NumberFormat& format, const char* help, const char* step) {
+        const KeyRow keys(workspace, std::string("/render/") + member, label, keyStateOf(tracked, workspace.time));
+        apply(ui::slider(label, value, format, help), step);
+    };
+    const TrackedRender tracked = workspace.document.scene().render;
+    const NumberFormat share{0, 1, 0, 2}, exponent{1, 200, 0, 0, "", true};
+    number("Ambient", "ambient", render.ambient, tracked.ambient, share, "Light from everywhere",
+           "Change ambient light");
+    number("Diffuse", "diffuse", render.diffuse, tracked.diffuse, share, "Light on matt surfaces",
+           "Change diffuse light");
+    number("Specular", "specular", render.specular, tracked.specular, share, "Highlights", "Change specular light");
+    number("Shininess", "shininess", render.shininess, tracked.shininess, exponent, "Sharpness of the highlights",
+           "Change shininess");
 
     static const std::vector<std::string> lights{"Headlight", "Fixed"};
     int light = render.light ? 1 : 0;
@@ -45,6 +54,8 @@ void drawShading(Workspace& workspace) {
     apply(chosen, "Change light");
     if (!render.light) return;
     NumberFormat direction{-10, 10, 0.01, 2};
+    const KeyRow keys(workspace, tracked.light ? "/render/light" : "", "Direction",
+                      tracked.light ? keyStateOf(*tracked.light, workspace.time) : KeyState::None);
     const Edit turned = ui::vector("Direction", *render.light, direction, "From the surface towards the light");
     if (glm::length(*render.light) > 1e-6) apply(turned, "Change light");
 }
@@ -56,13 +67,21 @@ void drawRenderPanel(Workspace& workspace) {
     drawRenderer(workspace);
     RenderSettings render = settingsOf(workspace);
     NumberFormat steps{0.1, 4, 0, 2, "", true};
-    const Edit stepped = ui::slider("Step", render.step, steps, "Of the smallest spacing: smaller is finer and slower");
-    applyEdit(document, stepped, "Change step",
-              [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
+    {
+        const KeyRow keys(workspace, "/render/step", "Step", keyStateOf(document.scene().render.step, workspace.time));
+        const Edit edit =
+            ui::slider("Step", render.step, steps, "Of the smallest spacing: smaller is finer and slower");
+        applyEdit(document, edit, "Change step",
+                  [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
+    }
     render = settingsOf(workspace);
-    const Edit painted = ui::color("Background", render.background, "Behind everything");
-    applyEdit(document, painted, "Change background",
-              [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
+    {
+        const KeyRow keys(workspace, "/render/background", "Background",
+                          keyStateOf(document.scene().render.background, workspace.time));
+        const Edit edit = ui::color("Background", render.background, "Behind everything");
+        applyEdit(document, edit, "Change background",
+                  [&](Scene& scene) { setRenderSettings(scene, render, workspace.when()); });
+    }
     drawShading(workspace);
 }
 

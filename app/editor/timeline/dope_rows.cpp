@@ -41,9 +41,8 @@ void addValue(std::vector<DopeRow>& rows, const Scene& scene, const KeyableValue
             for (const KeyRef& key : mark.keys) addMark(into.marks, key, mark.interpolation);
     };
     take(rows.front());
-    const auto node = std::find_if(rows.rbegin(), rows.rend(), [&](const DopeRow& other) {
-        return other.kind == DopeRow::Kind::Node && other.id == value.node;
-    });
+    const auto node = std::find_if(rows.rbegin(), rows.rend(),
+                                   [](const DopeRow& other) { return other.kind == DopeRow::Kind::Node; });
     if (node != rows.rend()) take(*node);
     if (open) rows.push_back(std::move(row));
 }
@@ -82,11 +81,12 @@ std::vector<DopeRow> dopeRows(const Scene& scene, const LoadedAssets& assets, co
     std::vector<DopeRow> rows{
         {.kind = DopeRow::Kind::Summary, .id = "", .label = "Summary", .marks = {}, .values = {}}};
     std::string node;
-    bool first = true, open = true;
+    bool open = true;
     for (const KeyableValue& value : animatedValues(scene)) {
-        if (first || value.node != node) {
-            first = false;
-            node = value.node;
+        // The settings have no node: "camera" and "render" stand for theirs.
+        const std::string id = value.node.empty() ? partsOf(value.label).first : value.node;
+        if (id != node) {
+            node = id;
             open = std::find(closed.begin(), closed.end(), node) == closed.end();
             rows.push_back({.kind = DopeRow::Kind::Node,
                             .id = node,

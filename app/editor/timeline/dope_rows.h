@@ -20,7 +20,7 @@ struct DopeMark {
 struct DopeRow {
     enum class Kind : unsigned char { Summary, Node, Value, Motion };
     Kind kind = Kind::Value;
-    std::string id;     // of a value its path, of a node its path, of a motion its asset
+    std::string id;     // of a value its path, of a node its path (settings: "camera"), of a motion its asset
     std::string label;  // what stands at the left
     std::vector<DopeMark> marks;
     std::vector<ValuePath> values;  // that the row stands for

@@ -72,10 +72,22 @@ void DopeSheet::draw(Workspace& workspace, const TimelineRange& range, const ImV
         const bool hovered = ImGui::IsWindowHovered() && ImGui::GetIO().MousePos.x >= range_.left;
         interact(workspace, hovered);
         drawMenu(workspace);
+        scroll();
+        const double now = workspace.time * workspace.document.scene().timeline.fps;
+        ImGui::GetWindowDrawList()->PushClipRect(ImVec2(float(range_.left), min.y), max, true);
+        drawPlayhead(*ImGui::GetWindowDrawList(), range_.pixelOf(now), min.y, max.y, 0.75f * scale_);
+        ImGui::GetWindowDrawList()->PopClipRect();
         ImGui::SetCursorScreenPos(ImVec2(min.x, top_ + float(rows_.size()) * rowHeight_));
         ImGui::Dummy(ImVec2(1, 1));
     }
     ImGui::EndChild();
+}
+
+// The wheel zooms over the keys and scrolls over the names, or with Shift.
+void DopeSheet::scroll() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0 || !ImGui::IsWindowHovered() || (io.MousePos.x >= range_.left && !io.KeyShift)) return;
+    ImGui::SetScrollY(ImGui::GetScrollY() - 3 * rowHeight_ * io.MouseWheel);
 }
 
 // ---- What is drawn ------------------------------------------------------------------------------------------------
@@ -323,7 +335,7 @@ void DopeSheet::doubleClick(Workspace& workspace) {
     if (!row || rows_[*row].values.empty()) return;
     const std::vector<ValuePath> values = rows_[*row].values;
     box_.reset();
-    insertKeysAt(workspace, values, timeOfFrame(std::round(frameUnderMouse()), workspace.document.scene().timeline));
+    insertKeys(workspace, values, timeOfFrame(std::round(frameUnderMouse()), workspace.document.scene().timeline));
 }
 
 void DopeSheet::drawMenu(Workspace& workspace) {

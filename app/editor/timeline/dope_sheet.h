@@ -34,6 +34,7 @@ private:
     void drawMarks(Workspace& workspace, std::size_t row, float y);
     void drawBackground(const Workspace& workspace, const ImVec2& min, const ImVec2& max) const;
     void noteKeys(Workspace& workspace, const DopeRow& row, float y, const ImVec2& min, const ImVec2& max) const;
+    void scroll() const;
     void interact(Workspace& workspace, bool hovered);
     void press(Workspace& workspace, const Hit* hit);
     void follow(Workspace& workspace);

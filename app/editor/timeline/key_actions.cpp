@@ -30,6 +30,16 @@ std::vector<ValuePath> valuesMeant(const Workspace& workspace, const std::string
                 "name one by its path, such as /transfers/bend/angle");
 }
 
+void insertAction(Workspace& workspace, const std::string& argument) {
+    const ValuePath& hovered = workspace.timeline.hovered;
+    if (argument.empty() && hovered.empty()) return insertSelectedKeys(workspace);
+    // A value that the file leaves out: its field knows what it is.
+    if (argument.empty() && !valueAt(workspace.document.scene(), hovered))
+        workspace.timeline.request = {"key.insert", hovered, false};
+    else
+        insertKeys(workspace, valuesMeant(workspace, argument), workspace.time);
+}
+
 void moveAction(Workspace& workspace, const std::string& id, const std::string& argument, bool copy) {
     const double delta = numberOf(argument, id);
     const std::vector<KeyRef> keys = workspace.timeline.keys;
@@ -91,7 +101,7 @@ void addValueActions(Actions& actions, Workspace& workspace) {
     const auto open = [&workspace] { return workspace.open; };
     actions.add({"key.insert", "Insert Key", "I", "PATH",
                  "Keeps the value of the field under the mouse (else of what is selected) at this time",
-                 [&](const std::string& argument) { insertKeys(workspace, valuesMeant(workspace, argument)); }, open});
+                 [&](const std::string& argument) { insertAction(workspace, argument); }, open});
     actions.add({"key.remove", "Delete Key", "Alt+I", "PATH",
                  "Takes away the key at this time, of the field under the mouse, else of what is selected",
                  [&](const std::string& argument) { removeKeys(workspace, valuesMeant(workspace, argument)); }, open});

@@ -39,7 +39,7 @@ void KeyRow::menu() const {
     if (!ImGui::BeginPopup(id.c_str())) return;
     const WidgetScope scope(ui::shownPart(label_));
     const auto entry = [&](const char* title, const char* action, const char* keys, bool enabled) {
-        if (ImGui::MenuItem(title, keys, false, enabled)) workspace_.timeline.request = {action, path_};
+        if (ImGui::MenuItem(title, keys, false, enabled)) workspace_.timeline.request = {action, path_, false};
         noteWidget(title);
     };
     const bool keyed = state_ == KeyState::Keyed, animated = state_ != KeyState::None;
@@ -52,9 +52,21 @@ void KeyRow::menu() const {
     ImGui::EndPopup();
 }
 
+bool takeKeyWish(Workspace& workspace, const ValuePath& path) {
+    TimelineState::Request& request = workspace.timeline.request;
+    if (path.empty() || request.path != path || request.action != "key.insert") return false;
+    if (valueAt(workspace.document.scene(), path)) return false;
+    request = {};
+    return true;
+}
+
 void runKeyRequest(Workspace& workspace) {
-    const auto [action, path] = std::exchange(workspace.timeline.request, {});
-    if (!action.empty()) workspace.actions.run(action, path);
+    TimelineState::Request& request = workspace.timeline.request;
+    if (request.action.empty()) return;
+    const bool missing = request.action == "key.insert" && !valueAt(workspace.document.scene(), request.path);
+    if (missing && !std::exchange(request.waited, true)) return;
+    const TimelineState::Request now = std::exchange(request, {});
+    workspace.actions.run(now.action, now.path);
 }
 
 }  // namespace voledit

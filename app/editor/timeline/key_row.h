@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <string>
 
 #include "app/editor/workspace.h"
 
@@ -38,6 +39,9 @@ private:
     KeyState state_;
     ImVec2 from_{};
 };
+
+/// True where I over the row, or its menu, wants a key for a value that the scene leaves out: the row must give it one.
+bool takeKeyWish(Workspace& workspace, const ValuePath& path);
 
 /// Does what the menu of a row asked for in this frame. After all panels are drawn: their copies of nodes are then
 /// written back. Throws Error.

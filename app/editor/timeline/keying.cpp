@@ -6,6 +6,8 @@
 #include "app/editor/timeline/key_move.h"
 #include "app/editor/timeline/timeline_actions.h"
 #include "core/base/error.h"
+#include "core/scene/actor_edits.h"
+#include "core/scene/edits.h"
 #include "core/scene/nodes.h"
 
 namespace voledit {
@@ -48,8 +50,7 @@ std::vector<ValuePath> pointValues(const Workspace& workspace, const NodePath& l
         const std::string start = lattice + "/move/" + std::to_string(point) + "/";
         const auto moved =
             std::find_if(all.begin(), all.end(), [&](const KeyableValue& v) { return v.path.starts_with(start); });
-        // A point at rest gets a displacement of its own.
-        values.push_back(moved != all.end() ? moved->path : start + "by");
+        if (moved != all.end()) values.push_back(moved->path);
     }
     return values;
 }
@@ -71,7 +72,7 @@ std::vector<ValuePath> selectedValues(const Workspace& workspace) {
     return animated.empty() ? values : animated;
 }
 
-void insertKeysAt(Workspace& workspace, const std::vector<ValuePath>& values, double t) {
+void insertKeys(Workspace& workspace, const std::vector<ValuePath>& values, double t) {
     if (values.empty())
         throw Error("key.insert", "nothing is selected that may have keys",
                     "select a node, control points or joints, or hold the mouse over a field");
@@ -81,8 +82,25 @@ void insertKeysAt(Workspace& workspace, const std::vector<ValuePath>& values, do
     workspace.timeline.keys = keysAt(workspace.document.scene(), values, t);
 }
 
-void insertKeys(Workspace& workspace, const std::vector<ValuePath>& values) {
-    insertKeysAt(workspace, values, workspace.time);
+void insertSelectedKeys(Workspace& workspace) {
+    const Selection& selection = workspace.selection;
+    const double t = workspace.time;
+    const When key{t, true};
+    if (selection.joints.empty() && selection.points.empty())
+        return insertKeys(workspace, selectedValues(workspace), t);
+    const std::size_t count = selection.joints.empty() ? selection.points.size() : selection.joints.size();
+    workspace.document.apply(keyStep("Insert", count), [&](Scene& scene) {
+        if (selection.joints.empty())
+            return moveControlPoints(scene, selection.lattice, selection.points, Vec3(0), key);
+        const NodePath actor = followedUse(scene, selection.node);
+        const NamedPose pose = poseOf(scene, actor, t);
+        for (const std::string& joint : selection.joints) {
+            const auto own = pose.find(joint);
+            setJointRotation(scene, actor, joint, own == pose.end() ? Quat(1, 0, 0, 0) : quatOfDegrees(own->second),
+                             key);
+        }
+    });
+    workspace.timeline.keys = keysAt(workspace.document.scene(), selectedValues(workspace), t);
 }
 
 void removeKeys(Workspace& workspace, const std::vector<ValuePath>& values) {

@@ -12,10 +12,11 @@ namespace voledit {
 /// else those of the selected node (without its frame; only the animated ones where there are any).
 std::vector<ValuePath> selectedValues(const Workspace& workspace);
 
-/// Puts keys at the shown time on `values` as one step, and selects them. Throws Error where none of them exists.
-void insertKeys(Workspace& workspace, const std::vector<ValuePath>& values);
-/// The same at another time, without selecting by what is shown.
-void insertKeysAt(Workspace& workspace, const std::vector<ValuePath>& values, double t);
+/// Puts keys at t on `values` as one step, and selects them. Throws Error where there are none, or one of them does not
+/// exist.
+void insertKeys(Workspace& workspace, const std::vector<ValuePath>& values, double t);
+/// The same at the shown time for what is selected, also for joints and control points that the scene leaves at rest.
+void insertSelectedKeys(Workspace& workspace);
 /// Takes the keys of the shown time off `values`, as one step.
 void removeKeys(Workspace& workspace, const std::vector<ValuePath>& values);
 /// Takes all keys off `values`, which stay as they are shown, as one step.

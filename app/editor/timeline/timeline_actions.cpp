@@ -5,6 +5,7 @@
 
 #include "app/editor/event_words.h"
 #include "core/base/error.h"
+#include "core/scene/keys.h"
 #include "core/scene/scene_at.h"
 
 namespace voledit {
@@ -55,7 +56,7 @@ void rangeAction(Workspace& workspace, const std::string& argument) {
     if (timeline.end <= timeline.start)
         throw Error("timeline.range", "ends at frame " + std::to_string(timeline.end) + " before it starts",
                     "give an end (exclusive) after the start, " + std::to_string(timeline.start));
-    workspace.document.apply("Change timeline", [&](Scene& scene) { scene.timeline = timeline; });
+    workspace.document.apply("Change timeline", [&](Scene& scene) { setTimeline(scene, timeline); });
 }
 
 void addPlayActions(Actions& actions, Workspace& workspace) {

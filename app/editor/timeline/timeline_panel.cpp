@@ -58,9 +58,12 @@ void TimelinePanel::draw(Workspace& workspace, const PixelRect& rect) {
     range_ = workspace.timeline.range.value_or(framedRange({}, timeline.start, timeline.start + frameCount(timeline)));
     range_.left = min.x;
     range_.width = std::max(1.0f, max.x - min.x);
+    const float ruler = std::min(max.y, min.y + std::round(kRulerHeight * scale));
     if (max.y > min.y) {
+        reveal(workspace);
         navigate(workspace, min, max);
-        drawRuler(workspace, min, ImVec2(max.x, std::min(max.y, min.y + std::round(kRulerHeight * scale))));
+        drawRuler(workspace, min, ImVec2(max.x, ruler));
+        if (max.y > ruler + 1) dopeSheet_.draw(workspace, range_, ImVec2(origin.x, ruler), max);
     }
     ImGui::End();
 }
@@ -83,11 +86,25 @@ void TimelinePanel::drawEdge(Workspace& workspace, const PixelRect& rect) {
                                               packed(active || hovered ? theme::kAccent : theme::kLine));
 }
 
+// A key that an event file names comes into view: its time here, its row in the dope sheet.
+void TimelinePanel::reveal(Workspace& workspace) {
+    TimelineState& state = workspace.timeline;
+    if (state.reveal.empty()) return;
+    const Scene& scene = workspace.document.scene();
+    if (const auto value = valueAt(scene, state.reveal)) std::erase(state.closed, value->node);
+    const std::vector<KeyMark> marks = keysOf(scene, state.reveal);
+    if (state.revealKey < 0 || state.revealKey >= int(marks.size())) return;
+    const TimelineRange shown = revealedRange(range_, marks[std::size_t(state.revealKey)].time * scene.timeline.fps);
+    if (shown == range_) return;
+    range_ = shown;
+    state.range = shown;
+}
+
 void TimelinePanel::navigate(Workspace& workspace, const ImVec2& min, const ImVec2& max) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool inside = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && io.MousePos.x >= min.x &&
                         io.MousePos.y >= min.y && io.MousePos.y < max.y;
-    if (inside && io.MouseWheel != 0) {
+    if (inside && io.MouseWheel != 0 && !io.KeyShift) {
         range_ = zoomedRange(range_, io.MousePos.x, std::pow(kZoomANotch, -double(io.MouseWheel)));
         workspace.timeline.range = range_;
     }

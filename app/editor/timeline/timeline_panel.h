@@ -2,6 +2,7 @@
 // The timeline below the viewport: transport, ruler, dope sheet.
 
 #include "app/editor/layout.h"
+#include "app/editor/timeline/dope_sheet.h"
 #include "app/editor/workspace.h"
 
 struct ImVec2;
@@ -13,12 +14,17 @@ namespace voledit {
 class TimelinePanel {
 public:
     void draw(Workspace& workspace, const PixelRect& rect);
+    /// Keys follow the mouse, or a box is drawn: no shortcut may change the scene below.
+    bool busy() const { return dopeSheet_.busy(); }
+    void cancel(Workspace& workspace) { dopeSheet_.cancel(workspace); }
 
 private:
     void drawEdge(Workspace& workspace, const PixelRect& rect);
     void drawRuler(Workspace& workspace, const ImVec2& min, const ImVec2& max);
+    void reveal(Workspace& workspace);
     void navigate(Workspace& workspace, const ImVec2& min, const ImVec2& max);
 
+    DopeSheet dopeSheet_;
     TimelineRange range_;   // as drawn last
     float edgeFrom_ = 0;    // height when the edge's drag began
     bool panning_ = false;  // by the middle button, from this pixel

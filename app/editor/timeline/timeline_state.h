@@ -48,6 +48,7 @@ struct TimelineState {
     struct Request {
         std::string action;
         ValuePath path;
+        bool waited = false;  // a frame, for the field to make the value: the file leaves it out
     } request;
 
     // Of the last frame drawn.

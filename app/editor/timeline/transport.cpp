@@ -9,6 +9,7 @@
 #include "app/editor/timeline/timeline_actions.h"
 #include "app/editor/timeline/timeline_panel.h"
 #include "app/editor/widget_parts.h"
+#include "core/scene/keys.h"
 
 namespace voledit {
 
@@ -46,6 +47,9 @@ void buttons(Workspace& workspace) {
     gap(2 * kGap, scale);
     const bool loop = workspace.timeline.playback.loop;
     iconOf(workspace, "timeline.loop", icons::kLoop, "Loop", loop ? theme::kAccent : theme::kTextDim);
+    gap(0, scale);
+    const bool keying = workspace.timeline.autoKey;
+    iconOf(workspace, "key.auto", icons::kRecord, "Auto-key", keying ? theme::kProblem : theme::kTextDim);
 }
 
 /// A whole number to drag or type, in a field of one width.
@@ -91,7 +95,7 @@ void rangeFields(Workspace& workspace) {
     ImGui::SetNextItemWidth(kFieldWidth * scale);
     const bool changed = ui::dragField("##Frame rate", timeline.fps, format);
     edit = edit | ui::finish("Frame rate", changed, "Frames a second");
-    applyEdit(workspace.document, edit, "Change timeline", [&](Scene& scene) { scene.timeline = timeline; });
+    applyEdit(workspace.document, edit, "Change timeline", [&](Scene& scene) { setTimeline(scene, timeline); });
 }
 
 }  // namespace
