@@ -98,6 +98,7 @@ Editor::Editor(const EditorSettings& settings, IoClient& io)
     applyTheme(settings.scale);
     ++fontsBuilt_;
     addFileActions();
+    addAnimationActions();
     addEditActions();
     addToolActions(workspace_.actions, workspace_, tools_);
     addActorActions(workspace_.actions, workspace_, job_, [this](const std::string& path) { importMotion(path); });
@@ -155,6 +156,7 @@ void Editor::frame(const FrameInput& input) {
     }
     if (files_.poll() && recorder_) recorder_->loaded();
     finishJobs();
+    pollAnimation();
 
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(float(window_.x), float(window_.y));
@@ -343,8 +345,9 @@ std::optional<double> Editor::playedFrame() const {
 }
 
 double Editor::untilNextFrame() const {
-    if (!workspace_.timeline.playback.playing()) return kInfinity;
-    return workspace_.timeline.playback.untilNext(workspace_.document.scene().timeline);
+    const double news = rendering() ? 0.25 : kInfinity;
+    if (!workspace_.timeline.playback.playing()) return news;
+    return std::min(news, workspace_.timeline.playback.untilNext(workspace_.document.scene().timeline));
 }
 
 // ---- What follows from the edits ----------------------------------------------------------------------------------

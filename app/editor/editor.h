@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "app/editor/actor_analysis.h"
+#include "app/editor/animation_dialog.h"
+#include "app/editor/animation_job.h"
 #include "app/editor/background.h"
 #include "app/editor/files.h"
 #include "app/editor/input_queue.h"
@@ -70,6 +72,12 @@ public:
     bool working() const { return job_.running(); }
     /// Blocks until it is done; the next frame takes it over.
     void waitForWork() { job_.wait(); }
+    /// True while an animation is rendered. Edits go on; nothing waits for it unless it is told to.
+    bool rendering() const { return animation_.running(); }
+    /// Blocks until there is news of it for the next frame.
+    void waitForRendering() const { animation_.wait(); }
+    /// Why the last rendering failed; empty where it did not.
+    const std::string& renderingProblem() const { return renderingProblem_; }
     bool inputWaits() const { return !queue_.empty(); }
     bool finished() const { return files_.quitConfirmed(); }
     /// Makes the interface of another size, from the next frame on.
@@ -109,6 +117,7 @@ private:
     void drawShortcuts();
     void drawJob(const PixelRect& area);
     void drawHoveredJoint();
+    void drawAnimation();
     void drawBesideMouse(const std::string& text);
     void endGestures();
     void endPendingEdit();
@@ -116,9 +125,12 @@ private:
     void refreshFormulaFiles(bool always);
     void importMotion(const std::string& path);
     void finishJobs();
+    void renderAnimation(const std::string& argument);
+    void pollAnimation();
     void updateActors();
     std::shared_ptr<const CompiledActor> actorAtRest() const;
     void addFileActions();
+    void addAnimationActions();
     void addEditActions();
     void addViewActions();
     void addLookActions();
@@ -136,6 +148,9 @@ private:
     Background job_;        // one at a time, at the user's wish
     double jobSince_ = -1;  // editor time when it began; below 0: none
     ActorAnalysis analysis_;
+    AnimationJob animation_;
+    AnimationDialog animationDialog_;
+    std::string renderingProblem_;
     NoticeList noticeList_;
     TimelinePanel timeline_;
     Layout layout_;

@@ -110,6 +110,7 @@ void Editor::drawInterface() {
     guarded([&] { drawShortcuts(); });
     guarded([&] { files_.draw(aside); });
     guarded([&] { drawJob(aside); });
+    guarded([&] { drawAnimation(); });
 }
 
 void Editor::drawViewport() {
@@ -175,7 +176,8 @@ void Editor::drawMenus() {
         ImGui::BeginDisabled(files_.loading());
         const Actions& actions = workspace_.actions;
         menu(actions, "File",
-             {"file.open", "-", "file.save", "file.save-as", "-", "file.screenshot", "-", "file.quit"});
+             {"file.open", "-", "file.save", "file.save-as", "-", "file.screenshot", "file.render-animation", "-",
+              "file.quit"});
         menu(actions, "Edit",
              {"edit.undo", "edit.redo", "-", "node.rename", "node.enable", "node.move-up", "node.move-down",
               "node.delete", "-", "select.all", "select.none", "select.invert", "select.box"});

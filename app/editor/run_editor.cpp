@@ -49,6 +49,7 @@ int runEditor(const EditorOptions& given) {
     int status = 0;
     try {
         replay(events, options.play.string(), session);
+        if (options.headless) session.finishRendering();
     } catch (const Error& error) {
         std::fprintf(stderr, "voledit: %s\n", error.what());
         status = 1;

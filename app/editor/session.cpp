@@ -109,8 +109,17 @@ void Session::act(const std::string& action, const std::string& argument) {
     editor_->act(action, argument);
 }
 
+void Session::finishRendering() {
+    while (editor_->rendering() && !closed()) {
+        editor_->waitForRendering();
+        drawFrame(platform_->nextFrame(true));
+    }
+    if (!editor_->renderingProblem().empty()) throw Error(editor_->renderingProblem());
+}
+
 void Session::waitIdle() {
     finishLoading();
+    finishRendering();
     // What plays never rests.
     do frame({});
     while ((platform_->refining() || editor_->working()) && !editor_->playedFrame() && !closed());

@@ -30,6 +30,8 @@ public:
     Vec2 locate(const Place& place) override;
     void act(const std::string& action, const std::string& argument) override;
     void waitIdle() override;
+    /// Waits for an animation that is rendered. Throws Error where it failed.
+    void finishRendering();
     void saveScreenshot(const std::string& path) override;
     void saveState(const std::string& path) override;
     bool closed() const override { return editor_->finished(); }
