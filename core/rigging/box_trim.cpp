@@ -57,7 +57,8 @@ public:
             for (std::size_t l = 0; l < limbs_.size(); ++l) {
                 // Along a chain regions meet in planes and hold little of each other.
                 if (!problem_.fit[l] || problem_.attached[l].empty()) continue;
-                for (int side = 0; side < 6; ++side) moved = tryMove(l, side) || moved;
+                // Starts stay: where limbs branch, they are to overlap.
+                for (const int side : {0, 1, 2, 3, 5}) moved = tryMove(l, side) || moved;
             }
         }
         return std::move(limbs_);

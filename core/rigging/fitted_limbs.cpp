@@ -15,6 +15,10 @@ namespace voledit {
 
 namespace {
 
+/// How far, in sides of its section, the broadest of the limbs that begin at a joint reaches back beyond it, under the
+/// others: the trunk under the thighs, so that flesh is there where a thigh that swings has left.
+constexpr double kUnder = 0.12;
+
 /// Boxes that grow until the regions between them hold all rims: regions are not boxes, since at every connected joint
 /// the corners of two are averaged, so what sticks out is found with the regions themselves.
 class Growth {
@@ -137,6 +141,17 @@ std::vector<int> basesOf(const OpaqueVoxels& voxels, const std::vector<std::int1
     return bases;
 }
 
+/// Whether other limbs begin where this one does, all with smaller sections.
+bool isBroadest(const std::vector<Limb>& limbs, std::size_t l) {
+    bool isHub = false;
+    for (std::size_t k = 0; k < limbs.size(); ++k) {
+        if (k == l || limbs[k].from != limbs[l].from) continue;
+        isHub = true;
+        if (limbs[k].size.x * limbs[k].size.y > limbs[l].size.x * limbs[l].size.y) return false;
+    }
+    return isHub;
+}
+
 /// Moves voxels along chains to the limb between whose end planes they lie, since only that one's region can hold them:
 /// what climbs to the middle of a bulge may have come to a limb farther on.
 void moveBetweenPlanes(const OpaqueVoxels& voxels, const std::vector<Limb>& limbs, const FitProblem& problem,
@@ -214,6 +229,7 @@ std::vector<Limb> fittedLimbs(const OpaqueVoxels& voxels, const std::vector<Pose
         if (!problem.fit[l]) continue;
         limbs[l].size += 2 * options.margin * step;
         limbs[l].pad += options.margin * step;
+        if (isBroadest(limbs, l)) limbs[l].pad.x += kUnder * std::sqrt(limbs[l].size.x * limbs[l].size.y);
     }
     return limbs;
 }
