@@ -189,7 +189,7 @@ int work(const AnimateArguments& a, const AnimationOutput& output) {
     return 1;
 }
 
-/// What parallel workers gain stands in README.md.
+/// Drawing is threaded already, and each worker holds the scene: what more of them gain stands in README.md.
 constexpr int kUsualWorkers = 1;
 
 /// Draws `frames` and records each as it is finished.

@@ -369,7 +369,7 @@ TEST_F(AnimateCommand, FullDiskLeavesWholeFramesOnly) {
         "exec unshare -rm sh -c 'mount -t tmpfs -o size=16k none /mnt; \"$@\"; status=$?; cp -a "
         "/mnt/. \"" +
         kept.string() + "\"; exit $status' sh \"$@\"";
-    auto arguments = words("full");
+    auto arguments = words("full", {"--workers", "1"});
     arguments[3] = "/mnt/%d.png";
     arguments[5] = "96x72";
     const auto [status, errors] = shell(script, arguments);
@@ -388,7 +388,7 @@ TEST_F(AnimateCommand, SceneThatFailsAtSomeFrameKeepsTheFramesBefore) {
         "scale":{"keys":[[0,1],[1,-1]]},"of":{"type":"solid","shape":{"sphere":{"center":[0,0,0],"radius":1}},
         "color":[1,1,1],"opacity":1}},"timeline":{"fps":10,"start":0,"end":10},
         "camera":{"eye":[0,-9,0],"target":[0,0,0],"up":[0,0,1],"fovY":30}})";
-    const auto result = animate("s%d.png");
+    const auto result = animate("s%d.png", {"--workers", "1"});
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.err, HasSubstr("frame 5: "));
     for (int n = 0; n < 5; ++n) EXPECT_TRUE(isWholePicture(frame("s", n), kSize)) << n;

@@ -7,6 +7,7 @@
 
 #include "app/editor/session.h"
 #include "core/base/error.h"
+#include "core/io/io_client.h"
 #include "tests/support/fixtures.h"
 
 namespace voledit {
@@ -102,12 +103,16 @@ TEST_F(AnimationSession, FailuresAreToldWithTheirCause) {
 }
 
 TEST_F(AnimationSession, DialogRendersWhatItSays) {
-    play(
-        "do file.render-animation\nframe 3\n"
-        "click @widget(\"Render animation/Path\")\npress Ctrl+A\ntext \"" +
-        at("d-%d.png") + "\"\nframe 2\nclick @widget(\"Render animation/Render\")\nframe 2\nwait idle\n");
-    for (const std::string n : {"0", "1", "2"}) EXPECT_TRUE(fs::exists(at("d-" + n + ".png"))) << n;
+    const auto typed = [](const std::string& widget, const std::string& text) {
+        return "doubleclick @widget(\"Render animation/" + widget + "\")\npress Ctrl+A\ntext \"" + text +
+               "\"\nframe 2\npress Enter\nframe 2\n";
+    };
+    play("do file.render-animation\nframe 3\n" + typed("Width", "48") + typed("Height", "36") +
+         typed("Path", at("d-%d.png")) + "click @widget(\"Render animation/Render\")\nframe 2\nwait idle\n");
+    for (const std::string n : {"0", "1", "2"}) ASSERT_TRUE(fs::exists(at("d-" + n + ".png"))) << n;
     EXPECT_FALSE(fs::exists(at("d-3.png")));
+    IoClient io;
+    EXPECT_EQ(io.readPicture(at("d-0.png")).size, Index2(48, 36));
 }
 
 }  // namespace
