@@ -65,6 +65,8 @@ private:
     std::size_t next(std::size_t l) const { return std::size_t(links_.next[l]); }
     bool hasBevel(std::size_t l) const { return connections_[l] && connections_[l]->posed.wedge > 0; }
 
+    /// Where a limb's bone ends: a disjoint joint that moves away leaves it its length.
+    PosedJoint posedEnd(const Limb& limb) const;
     void placeLimbs();
     void shapeLimbs();
     void fillPositions();
@@ -95,6 +97,14 @@ private:
     LimbRegions regions_;
 };
 
+PosedJoint RegionBuilder::posedEnd(const Limb& limb) const {
+    const std::size_t from = std::size_t(limb.from), to = std::size_t(limb.to);
+    PosedJoint end = posed_[to];
+    if (!options_.disjoint.empty() && options_.disjoint[to])
+        end.position = posed_[from].position + posed_[from].linear * (rest_[to].position - rest_[from].position);
+    return end;
+}
+
 void RegionBuilder::placeLimbs() {
     placedRest_.resize(limbs_.size());
     placedPosed_.resize(limbs_.size());
@@ -111,8 +121,7 @@ void RegionBuilder::placeLimbs() {
             turns[l] = matchingTurns(placedRest_[std::size_t(previous)], unturned, options_.miterLimit);
         }
         placedRest_[l] = placedLimb(limb, frame, turns[l], from, to);
-        placedPosed_[l] =
-            placedLimb(limb, frame, turns[l], posed_[std::size_t(limb.from)], posed_[std::size_t(limb.to)]);
+        placedPosed_[l] = placedLimb(limb, frame, turns[l], posed_[std::size_t(limb.from)], posedEnd(limb));
         if (previous >= 0) {
             const std::size_t p = std::size_t(previous);
             connections_[p] = Connection{jointFaces(placedRest_[p], placedRest_[l], options_.miterLimit),

@@ -23,7 +23,7 @@ struct Elbow {
                        {"b", 0, Vec3(0.3, 0.2, 3.1), {}},
                        {"c", 1, Vec3(0.3, 0.2, 6.1), {}}}};
     std::vector<Limb> limbs{limbBetween(0, 1), limbBetween(1, 2)};
-    RegionOptions options;
+    RegionOptions options = {.cells = {4, 4, 10}, .disjoint = {}};
 
     std::vector<PosedJoint> rest() const { return posedJoints(skeleton, restPose(skeleton)); }
     LimbRegions bent(const Quat& elbow) const {
