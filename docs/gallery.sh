@@ -41,9 +41,30 @@ entry fig8c "8c · Free form: twist" "A lattice twisted about the line of text."
 entry fig8d "8d · Free form: perspective" "A lattice that grows from one end to the other."
 entry fig8e "8e · Free form: bend" "The text bent horizontally, by a lattice of degree 9 along it."
 
+# Motion: a still of the parts moving apart, five frames of the walk side by side, and a still of the bones.
+moment() {  # NAME SECONDS TITLE TEXT
+    local scene=resources/scenes/gallery/$1.voledit
+    "$voledit" render "$scene" -o "docs/gallery/$1.png" --time "$2" --size 640x480
+    printf '## %s\n\n![%s](gallery/%s.png)\n\n%s [`%s`](../%s)\n\n' "$3" "$3" "$1" "$4" "$1.voledit" "$scene" >>docs/gallery.md
+}
+moment fig9 1.5 "9 · Regions moving apart" "An actor in \`disjoint\` mode: each limb of the skeleton keeps its rigid box, and keys on the joints carry them off. Nothing is copied: every piece is the one volume, looked up elsewhere."
+if command -v montage >/dev/null; then
+    frames=$(mktemp -d)
+    for n in 0 6 12 18 24; do
+        "$voledit" render resources/scenes/gallery/fig10.voledit -o "$frames/$(printf %02d $n).png" --time "$(awk "BEGIN { print $n / 24 }")" --size 270x480
+    done
+    montage "$frames"/*.png -tile 5x1 -geometry +1+0 -background '#0e0f13' docs/gallery/fig10.png
+    rm -r "$frames"
+else
+    "$voledit" render resources/scenes/gallery/fig10.voledit -o docs/gallery/fig10.png --time 0.5 --size 640x480
+    echo "docs/gallery/fig10.png is one frame only: ImageMagick's montage is not installed" >&2
+fi
+printf '## 10 · A walk\n\n![10 · A walk](gallery/fig10.png)\n\n%s [`fig10.voledit`](../resources/scenes/gallery/fig10.voledit)\n\n' "Five frames of motion capture on a still volume of a person: \`voledit rig\` laid the skeleton of 24 limbs into it, and the motion, of another skeleton, drives it by the joints' names. No volume is made for any frame." >>docs/gallery.md
+moment anatomy 0.5 "Anatomy" "The same walk of a union: bones of solids within the translucent person. The actor moves the whole term. (So many solids under cells that overlap are left to rays.)"
+
 # The README's strip of six.
 if command -v montage >/dev/null; then
-    (cd docs/gallery && montage fig1b.png fig1d.png fig2b.png fig3b.png fig4.png fig8e.png -tile 3x2 -geometry 400x300+2+2 -background '#0e0f13' ../pictures/gallery.png)
+    (cd docs/gallery && montage fig1b.png fig2b.png fig3b.png fig4.png fig9.png anatomy.png -tile 3x2 -geometry 400x300+2+2 -background '#0e0f13' ../pictures/gallery.png)
 else
     echo "docs/pictures/gallery.png is left as it was: ImageMagick's montage is not installed" >&2
 fi
