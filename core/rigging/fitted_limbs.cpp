@@ -17,7 +17,7 @@ namespace {
 
 /// How far, in sides of its section, the broadest of the limbs that begin at a joint reaches back beyond it, under the
 /// others: the trunk under the thighs, so that flesh is there where a thigh that swings has left.
-constexpr double kUnder = 0.12;
+constexpr double kUnder = 0.04;
 
 /// Boxes that grow until the regions between them hold all rims: regions are not boxes, since at every connected joint
 /// the corners of two are averaged, so what sticks out is found with the regions themselves.
