@@ -1,16 +1,19 @@
 #pragma once
 // Rays across the faces where limbs meet: what they meet that no region covers.
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/skeleton/limb_regions.h"
 
 namespace voledit {
 
-/// How many joints were looked at, how many points of rays, and those that nothing covered.
+/// How many joints were looked at, how many points of rays, those that nothing covered, and how many cells at joints
+/// are folded: those have no other side to look into, and none is looked out of.
 struct JointGaps {
-    std::size_t joints = 0, points = 0;
+    std::size_t joints = 0, points = 0, folded = 0;
     std::vector<Vec3> uncovered;
 };
 
@@ -32,20 +35,26 @@ public:
             if (next < 0) continue;
             ++gaps_.joints;
             const std::size_t last = regions_.firstCell[l] + below_, first = regions_.firstCell[std::size_t(next)];
+            const std::size_t foldedBefore = gaps_.folded;
             for (std::size_t c = 0; c < layer_; ++c) {
+                if (folded(last + c) || folded(first + c)) {
+                    ++gaps_.folded;
+                    continue;
+                }
                 const auto from = facePoints(last + c, 4), to = facePoints(first + c, 0);
                 for (std::size_t n = 0; n < from.size(); ++n) {
-                    const Vec3 behind = centreOf(last + c);
                     // Past the miter limit the limbs overlap on the inside of the bend, each with sides of its own.
                     if (from[n] != to[n] && !(glm::dot(to[n] - from[n], alongOf(last + c)) > 0)) continue;
-                    follow(behind, from[n]);
-                    follow(centreOf(first + c), to[n]);
+                    follow(last + c, from[n], 4);
+                    follow(first + c, to[n], 0);
                 }
             }
+            // One of the bevel's cells across the axis is a bow tie about it.
+            if (gaps_.folded > foldedBefore) continue;
             for (std::size_t c = last + layer_; c < regions_.firstCell[l + 1]; ++c)
-                if (opensEverywhere(c))
+                if (!folded(c))
                     for (const std::size_t face : {std::size_t(0), std::size_t(4)})
-                        for (const Vec3& point : facePoints(c, face)) follow(centreOf(c), point);
+                        for (const Vec3& point : facePoints(c, face)) follow(c, point, face);
         }
         return gaps_;
     }
@@ -79,21 +88,25 @@ private:
         return sum;
     }
 
-    /// Whether a bevel's cell lies all on the outside of the bend; one across the axis is a bow tie about it.
-    bool opensEverywhere(std::size_t cell) const {
-        const auto& h = regions_.cells.hexahedra[cell];
-        const auto at = [&](int corner) { return regions_.cells.deformed[h[std::size_t(corner)]]; };
+    bool folded(std::size_t cell) const {
         for (const auto& t : kHexahedronTetrahedra) {
-            const Vec3 a = at(t[1]) - at(t[0]), b = at(t[2]) - at(t[0]), c = at(t[3]) - at(t[0]);
-            if (glm::dot(a, glm::cross(b, c)) < 0) return false;
+            const Vec3 origin = vertex(cell, std::size_t(t[0]));
+            const auto edge = [&](std::size_t n) { return vertex(cell, std::size_t(t[n])) - origin; };
+            if (glm::dot(edge(1), glm::cross(edge(2), edge(3))) < 0) return true;
         }
-        return true;
+        return false;
     }
 
-    void follow(const Vec3& from, const Vec3& through) {
+    /// Looks through a point of a face of the cell, from its middle, as near as the face is wide.
+    void follow(std::size_t cell, const Vec3& through, std::size_t face) {
+        const Vec3 ray = through - centreOf(cell);
+        double width = glm::length(ray);
+        for (const auto& [a, b] : {std::pair(0, 1), {0, 2}, {1, 3}, {2, 3}, {0, 3}, {1, 2}})
+            width =
+                std::min(width, glm::length(vertex(cell, face + std::size_t(a)) - vertex(cell, face + std::size_t(b))));
         CellLocation at{};
-        for (const double beyond : {-0.5, -1e-9, 0.0, 1e-9, 1e-6, 1e-4, 1e-3}) {
-            const Vec3 p = through + beyond * (through - from);
+        for (const double beyond : {-1e-3, -1e-9, 0.0, 1e-9, 1e-6, 1e-4, 1e-3}) {
+            const Vec3 p = through + beyond * width * glm::normalize(ray);
             ++gaps_.points;
             if (!cells_.locate(p, at)) gaps_.uncovered.push_back(p);
         }
