@@ -53,9 +53,9 @@ struct MotionMap {
 
 /// The pose of `skeleton` at t seconds of `motion`. With A the rotation of skeletonFromMotion, R(t) the global rotation
 /// of the mapped motion joint: a mapped joint's global rotation is A·R(t)·A⁻¹·N, where N carries the skeleton's rest
-/// bone onto the direction of the motion's rest bone (the shortest arc between the directions to the mapped joint below;
-/// identity where they agree, where there is none, and for hubs, where there are several), so that bones point as in the
-/// motion. Unmapped joints keep their rest rotation relative to the parent. A root (the topmost mapped joint of its
+/// bone onto the direction of the motion's rest bone (the shortest arc between the directions to the mapped joint below),
+/// so that bones point as in the motion. N is the identity where they agree, where there is no mapped joint below, for
+/// hubs, where there are several, and for trunk, head, collars and feet, which every rest pose holds alike. Unmapped joints keep their rest rotation relative to the parent. A root (the topmost mapped joint of its
 /// tree, if there is one) moves to skeletonFromMotion·x(t), also where N is not the identity. Position channels below
 /// the root count where the bone above is the motion's own (same vector after A), else bones keep their length. Names
 /// that are in neither are passed over. Where skeleton is skeletonOf(motion), all names are mapped to themselves and

@@ -171,6 +171,23 @@ Quat uprightTurn(const Skeleton& skeleton, const Quat& aligned) {
     return straightened(glm::normalize(shortestArc(aligned * straight, ownUp) * aligned));
 }
 
+/// Parts that every rest pose holds alike: upright, or flat on the ground. Where their bones point differently there,
+/// rigs only disagree about where in the flesh the joints lie (a collar begins at the neck or in the chest).
+bool isHeldAlike(BodyPart part) {
+    switch (part) {
+        case BodyPart::Hips:
+        case BodyPart::Spine:
+        case BodyPart::Neck:
+        case BodyPart::Head:
+        case BodyPart::Collar:
+        case BodyPart::Foot:
+        case BodyPart::Toe:
+            return true;
+        default:
+            return false;
+    }
+}
+
 class Retargeting {
 public:
     Retargeting(const Skeleton& skeleton, const Motion& motion, const MotionMap& map)
@@ -178,7 +195,8 @@ public:
           map_(map),
           similarity_(similarityOf(map.skeletonFromMotion)),
           turn_(similarity_.rotation),
-          reference_(chosenReference(pairing_, motion)) {
+          reference_(chosenReference(pairing_, motion)),
+          roles_(bodyRoles(skeleton)) {
         const Quat body = bodyAtReference();
         correction_.assign(skeleton.joints.size(), Quat(1, 0, 0, 0));
         for (const int j : pairing_.driven)
@@ -245,9 +263,11 @@ private:
         return shortestArc(own, theirs);
     }
 
+    /// Whether the bone's direction is to be the motion's.
     bool hasBone(int j) const {
         const int end = pairing_.onlyBelow[std::size_t(j)];
         if (end == kNone || !pairing_.sourceIsBelow(driver(end), driver(j))) return false;
+        if (reference_.isRest && isHeldAlike(roles_[std::size_t(j)].part)) return false;
         // Where a file's rest pose is no posture, its end sites are no ends: nothing was ever measured there.
         return reference_.isRest || !pairing_.endSite[std::size_t(driver(end))];
     }
@@ -291,6 +311,7 @@ private:
     Similarity similarity_;
     Quat turn_;
     Reference reference_;
+    std::vector<BodyRole> roles_;   // of the skeleton's joints
     std::vector<Quat> correction_;  // N of each driven joint
 };
 

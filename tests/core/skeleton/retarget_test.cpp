@@ -110,6 +110,23 @@ TEST(Retargeting, BonesPointAsInTheMotionWhateverTheRestPoses) {
     }
 }
 
+TEST(Retargeting, CollarsThatBeginElsewhereDoNotShrug) {
+    const Skeleton target = standingBiped();
+    Skeleton source = target;
+    for (const char* name : {"LeftShoulder", "RightShoulder"})
+        source.joints[std::size_t(source.find(name))].at = {0, 13.8, -0.2};
+    source.joints[std::size_t(source.find("Neck"))].at.z += 0.5;
+    source.joints[std::size_t(source.find("LeftFoot"))].at.y += 0.4;
+    const Motion motion = motionOf(source, {restPose(source)});
+    MotionMap map;
+    map.joints = sameNames(source);
+    const Pose pose = retargeted(target, motion, map, 0);
+    for (const char* name : {"LeftShoulder", "RightShoulder", "Spine2", "Neck", "Head", "LeftFoot", "LeftToeBase"}) {
+        const auto posed = posedJoints(target, pose)[std::size_t(target.find(name))];
+        for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(posed.linear[c] - Mat3(1.0)[c]), 1e-9) << name;
+    }
+}
+
 TEST(Retargeting, BonesKeepTheirLengthsOnOtherProportions) {
     Random random(4);
     const Skeleton source = standingBiped();
