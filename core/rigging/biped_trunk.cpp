@@ -67,7 +67,9 @@ BipedJoints bipedByProportions(const BodyShape& body) {
 }
 
 void placeTrunk(const BodyShape& body, BipedJoints& joints) {
-    const Vec3 hips = 0.5 * (joints.leg[0][0] + joints.leg[1][0]) + Vec3(0, 0.015 * body.box.size().y, 0);
+    // High enough above the hip joints that the limbs to the legs slope: the planes in which they meet the thighs then
+    // run like the groin, and a thigh that swings carries little of the flank.
+    const Vec3 hips = 0.5 * (joints.leg[0][0] + joints.leg[1][0]) + Vec3(0, 0.035 * body.box.size().y, 0);
     const Neck neck = neckOf(body, hips);
     const auto middleAt = [&](double y, const Vec3& near) {
         const Section s = body.levelAt(y, near);
