@@ -329,7 +329,7 @@ bool barField(const char* label, double& value, const NumberFormat& format, cons
         const int left = low < 1 ? ImDrawFlags_RoundCornersLeft : 0;
         const int right = high > width - 1 ? ImDrawFlags_RoundCornersRight : 0;
         list.AddRectFilled({min.x + low, min.y}, {min.x + high, min.y + height},
-                           ImGui::GetColorU32(packed(theme::kAccent, active ? 0.75f : 0.5f)), rounding,
+                           ImGui::GetColorU32(ImGuiCol_PlotHistogram, active ? 0.75f : 0.5f), rounding,
                            left + right ? left + right : int(ImDrawFlags_RoundCornersNone));
     }
     for (const ImGuiCol c : {ImGuiCol_FrameBg, ImGuiCol_FrameBgActive, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})

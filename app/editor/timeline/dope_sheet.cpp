@@ -69,14 +69,18 @@ void DopeSheet::draw(Workspace& workspace, const TimelineRange& range, const ImV
             const float y = top_ + float(row) * rowHeight_;
             drawRow(workspace, row, ImVec2(min.x, y), ImVec2(right, y + rowHeight_));
         }
+        // The keys of the time that is shown stand before its line.
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.PushClipRect(ImVec2(float(range_.left), min.y), ImVec2(right, max.y), true);
+        const double now = workspace.time * workspace.document.scene().timeline.fps;
+        drawPlayhead(list, range_.pixelOf(now), min.y, max.y, 0.75f * scale_);
+        for (std::size_t row = 0; row < rows_.size(); ++row)
+            drawMarks(workspace, row, std::round(top_ + (float(row) + 0.5f) * rowHeight_));
+        list.PopClipRect();
         const bool hovered = ImGui::IsWindowHovered() && ImGui::GetIO().MousePos.x >= range_.left;
         interact(workspace, hovered);
         drawMenu(workspace);
         scroll();
-        const double now = workspace.time * workspace.document.scene().timeline.fps;
-        ImGui::GetWindowDrawList()->PushClipRect(ImVec2(float(range_.left), min.y), max, true);
-        drawPlayhead(*ImGui::GetWindowDrawList(), range_.pixelOf(now), min.y, max.y, 0.75f * scale_);
-        ImGui::GetWindowDrawList()->PopClipRect();
         ImGui::SetCursorScreenPos(ImVec2(min.x, top_ + float(rows_.size()) * rowHeight_));
         ImGui::Dummy(ImVec2(1, 1));
     }
@@ -122,9 +126,9 @@ void DopeSheet::drawRow(Workspace& workspace, std::size_t index, const ImVec2& m
         list.AddRectFilled(min, max, packed(theme::kHeader, row.kind == DopeRow::Kind::Summary ? 0.9f : 0.55f));
     list.AddRectFilled(ImVec2(min.x, max.y - 1), max, packed(theme::kLine, 0.5f));
     drawLabel(workspace, row, min, ImVec2(float(range_.left), max.y));
+    if (row.kind != DopeRow::Kind::Motion) return;
     list.PushClipRect(ImVec2(float(range_.left), min.y), max, true);
-    if (row.kind == DopeRow::Kind::Motion) drawStrip(list, row, range_, workspace, min.y, max.y);
-    drawMarks(workspace, index, middle);
+    drawStrip(list, row, range_, workspace, min.y, max.y);
     list.PopClipRect();
 }
 
@@ -160,6 +164,8 @@ void DopeSheet::drawLabel(Workspace& workspace, DopeRow& row, const ImVec2& min,
 
 void DopeSheet::drawMarks(Workspace& workspace, std::size_t index, float y) {
     const DopeRow& row = rows_[index];
+    const float top = ImGui::GetWindowPos().y;
+    if (y + rowHeight_ < top || y - rowHeight_ > top + ImGui::GetWindowHeight()) return;
     const Timeline& timeline = workspace.document.scene().timeline;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -9,19 +9,23 @@ namespace voledit {
 
 namespace {
 
-constexpr Vec4f kAnimatedField{0.150f, 0.270f, 0.165f, 1}, kKeyedField{0.390f, 0.320f, 0.105f, 1};
+// Of fields, and of what fills the bars of sliders.
+constexpr Vec4f kAnimatedField{0.135f, 0.225f, 0.150f, 1}, kKeyedField{0.285f, 0.240f, 0.100f, 1};
+constexpr Vec4f kAnimatedBar{0.390f, 0.680f, 0.350f, 1}, kKeyedBar{0.900f, 0.730f, 0.250f, 1};
 
 }  // namespace
 
 KeyRow::KeyRow(Workspace& workspace, ValuePath path, const char* label, KeyState state)
     : workspace_(workspace), path_(std::move(path)), label_(label), state_(state), from_(ImGui::GetCursorScreenPos()) {
-    if (!path_.empty() && state_ != KeyState::None)
-        ImGui::PushStyleColor(ImGuiCol_FrameBg, packed(state_ == KeyState::Keyed ? kKeyedField : kAnimatedField));
+    if (path_.empty() || state_ == KeyState::None) return;
+    const bool keyed = state_ == KeyState::Keyed;
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, packed(keyed ? kKeyedField : kAnimatedField));
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, packed(keyed ? kKeyedBar : kAnimatedBar));
 }
 
 KeyRow::~KeyRow() {
     if (path_.empty()) return;
-    if (state_ != KeyState::None) ImGui::PopStyleColor();
+    if (state_ != KeyState::None) ImGui::PopStyleColor(2);
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     const ImVec2 to(right, ImGui::GetItemRectMax().y);
     if (!ImGui::IsRectVisible(from_, to)) return;

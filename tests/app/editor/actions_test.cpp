@@ -39,6 +39,18 @@ TEST(Actions, IdsAndShortcutsAreUnique) {
     EXPECT_EQ(actions.all().size(), 1u);
 }
 
+TEST(Actions, AShortcutMeansOneThingInEachRegion) {
+    Actions actions;
+    const auto nothing = [](const std::string&) {};
+    actions.add({"a.b", "B", "Delete", "", "", nothing});
+    actions.add({"a.c", "C", "Delete", "", "", nothing, {}, {}, KeyRegion::Timeline});
+    EXPECT_THROW(actions.add({"a.d", "D", "Delete", "", "", nothing, {}, {}, KeyRegion::Timeline}), Error);
+    const Chord chord{Key::Delete};
+    EXPECT_EQ(actions.ofShortcut(chord)->id, "a.b");
+    EXPECT_EQ(actions.ofShortcut(chord, KeyRegion::Timeline)->id, "a.c");
+    EXPECT_FALSE(actions.ofShortcut(chord, KeyRegion::Panels));
+}
+
 TEST(Actions, SwitchesTurnRoundOrObey) {
     EXPECT_TRUE(switchArgument("x", "", false));
     EXPECT_FALSE(switchArgument("x", "", true));
@@ -60,10 +72,14 @@ TEST(Actions, TheEditorsAreComplete) {
         EXPECT_NE(listOf(actions).find(action.id), std::string::npos);
     }
     for (const char* id :
-         {"file.open",      "file.save",     "file.save-as",  "file.screenshot", "file.quit",        "edit.undo",
-          "edit.redo",      "view.front",    "view.back",     "view.left",       "view.right",       "view.top",
-          "view.bottom",    "view.frame",    "view.overlays", "view.renderer",   "view.step",        "lattice.add",
-          "lattice.remove", "lattice.reset", "select.all",    "select.none",     "appearance.preset"})
+         {"file.open",      "file.save",      "file.save-as",      "file.screenshot",  "file.quit",
+          "edit.undo",      "edit.redo",      "view.front",        "view.back",        "view.left",
+          "view.right",     "view.top",       "view.bottom",       "view.frame",       "view.overlays",
+          "view.renderer",  "view.step",      "lattice.add",       "lattice.remove",   "lattice.reset",
+          "select.all",     "select.none",    "appearance.preset", "timeline.goto",    "timeline.play",
+          "timeline.pause", "timeline.frame", "timeline.step",     "timeline.loop",    "timeline.start",
+          "timeline.end",   "key.insert",     "key.delete",        "key.next",         "key.previous",
+          "key.auto",       "key.move",       "key.copy",          "key.interpolation"})
         EXPECT_TRUE(actions.find(id)) << id;
     EXPECT_EQ(actions.ofShortcut(*chordNamed("Ctrl+Z"))->id, "edit.undo");
     EXPECT_EQ(actions.ofShortcut(*chordNamed("Ctrl+Shift+Z"))->id, "edit.redo");

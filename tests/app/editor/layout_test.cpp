@@ -22,5 +22,16 @@ TEST(Layout, ATinyWindowStillHasAViewport) {
     EXPECT_GE(layout.view.size.y, 1);
 }
 
+TEST(Layout, TheTimelineTakesItsHeightButLeavesTheViewItsPart) {
+    const Layout with = layoutOf({1280, 800}, 2, 100);
+    EXPECT_EQ(with.time.size.y, 200);
+    EXPECT_EQ(with.time.origin.y, with.view.origin.y + with.view.size.y);
+    EXPECT_EQ(with.time.size.x, with.view.size.x);
+    EXPECT_EQ(with.menu.size.y + with.view.size.y + with.time.size.y + with.status.size.y, 800);
+    const Layout greedy = layoutOf({1280, 800}, 1, 5000);
+    EXPECT_GE(greedy.view.size.y, 2 * (800 - greedy.menu.size.y - greedy.status.size.y) / 5);
+    EXPECT_EQ(layoutOf({1280, 800}, 1, 0).view, layoutOf({1280, 800}, 1).view);
+}
+
 }  // namespace
 }  // namespace voledit
