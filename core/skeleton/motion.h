@@ -53,12 +53,13 @@ struct MotionMap {
 
 /// The pose of `skeleton` at t seconds of `motion`. With A the rotation of skeletonFromMotion, R(t) the global rotation
 /// of the mapped motion joint: a mapped joint's global rotation is A·R(t)·A⁻¹·N, where N carries the skeleton's rest
-/// bone onto the direction of the motion's rest bone (the shortest arc between the directions to the mapped joint below),
-/// so that bones point as in the motion. N is the identity where they agree, where there is no mapped joint below, for
-/// hubs, where there are several, and for trunk, head, collars and feet, which every rest pose holds alike. Unmapped joints keep their rest rotation relative to the parent. A root (the topmost mapped joint of its
-/// tree, if there is one) moves to skeletonFromMotion·x(t), also where N is not the identity. Position channels below
-/// the root count where the bone above is the motion's own (same vector after A), else bones keep their length. Names
-/// that are in neither are passed over. Where skeleton is skeletonOf(motion), all names are mapped to themselves and
+/// bone onto the direction of the motion's rest bone (the shortest arc between the directions to the mapped joint
+/// below), so that bones point as in the motion. N is the identity where they agree, where there is no mapped joint
+/// below, for hubs, where there are several, and for trunk, head, collars and feet, which every rest pose holds alike.
+/// Unmapped joints keep their rest rotation relative to the parent. A root (the topmost mapped joint of its tree, if
+/// there is one) moves to skeletonFromMotion·x(t), also where N is not the identity. Position channels below the root
+/// count where the bone above is the motion's own (same vector after A), else bones keep their length. Names that are
+/// in neither are passed over. Where skeleton is skeletonOf(motion), all names are mapped to themselves and
 /// skeletonFromMotion is the identity, this is poseAt(motion, t), to rounding.
 ///
 /// Two refinements: a skeletonFromMotion that turns the body otherwise than `proposedMotionFit` does turns all of it
@@ -77,8 +78,8 @@ std::map<std::string, std::string> matchingJoints(const Skeleton& skeleton, cons
 /// A similarity that lays the motion into the skeleton's space: turns the motion's up to the skeleton's and its left to
 /// the skeleton's left (by the places of all mapped joints at rest; axes to axes where they nearly are), scales by the
 /// ratio of the legs' lengths (of all mapped bones where no legs are known), so that feet do not slide, and places the
-/// motion's first frame so that the skeleton's root stands over its rest place and its lowest mapped joint as high as at
-/// rest. Throws Error where fewer than two joints are mapped.
+/// motion's first frame so that the skeleton's root stands over its rest place and its lowest mapped joint as high as
+/// at rest. Throws Error where fewer than two joints are mapped.
 Mat4 proposedMotionFit(const Skeleton& skeleton, const Motion& motion,
                        const std::map<std::string, std::string>& joints);
 
