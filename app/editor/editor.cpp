@@ -229,13 +229,12 @@ void Editor::dispatch(const std::vector<InputEvent>& events) {
 
 void Editor::dispatchPointer(const InputEvent& event) {
     PointerEvent pointer;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    pointer.at = Vec2(mouse.x, mouse.y) - Vec2(workspace_.viewOrigin);
+    if (event.kind == InputEvent::Kind::Move) mouse_ = event.at;
+    pointer.at = mouse_ - Vec2(workspace_.viewOrigin);
     pointer.modifiers = modifiersNow();
     const bool ours = hovered_ || tools_.capturing() || tools_.moving();
     switch (event.kind) {
         case InputEvent::Kind::Move:
-            pointer.at = event.at - Vec2(workspace_.viewOrigin);
             if (ours) tools_.pointer(toolContext(workspace_), pointer);
             break;
         case InputEvent::Kind::Button:

@@ -159,6 +159,7 @@ private:
     int fontsBuilt_ = 0;
     std::string rendererName_ = "slices", slicesProblem_;
     std::optional<float> newScale_;
+    Vec2 mouse_{0};         // window pixels, as the last event said: ImGui rounds
     bool hovered_ = false;  // the mouse is over the viewport with nothing in front
     bool showShortcuts_ = false;
     std::optional<Scene> compiledFrom_;

@@ -132,7 +132,8 @@ void renameAction(Workspace& workspace, const std::string& argument) {
         } else if (row.kind == SceneRow::Kind::Transfer) {
             editTransferAt(scene, row.target, [&](Transfer& transfer) { transfer.name = argument; });
         } else if (isActor(workspace.document.scene(), row)) {
-            editObjectAt(scene, row.target, [&](Object& object) { std::get<ActorObject>(object.kind).name = argument; });
+            editObjectAt(scene, row.target,
+                         [&](Object& object) { std::get<ActorObject>(object.kind).name = argument; });
         } else if (row.kind == SceneRow::Kind::Object && named) {
             renameObject(scene, row.name, argument);
             target = objectPath(argument);

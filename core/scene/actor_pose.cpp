@@ -116,7 +116,10 @@ std::map<std::string, std::string> jointTable(const ActorRig& rig, const Skeleto
 
 std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion) {
     auto result = jointTable(rig, skeleton, motion);
-    if (result.empty())
+    // A table that says of every joint that nothing drives it is one to be filled in.
+    const bool said = std::all_of(skeleton.joints.begin(), skeleton.joints.end(),
+                                  [&](const Joint& joint) { return rig.motionMap.contains(joint.name); });
+    if (result.empty() && !said)
         throw Error("motion \"" + abridged(rig.motion) + "\"",
                     "none of its joints (" + someOf(namesOf(motion)) + ") matches one of the skeleton's (" +
                         someOf(namesOf(skeleton)) + ")",

@@ -29,7 +29,8 @@ std::vector<SceneLimb> limbsOf(const SceneSkeleton& skeleton, const Skeleton& re
 /// Which joint of `motion` drives which of `skeleton`: the rig's `motionMap`, and for joints that it does not list
 /// `matchingJoints`, of what is left. May be empty. Throws Error for names that the skeleton or the motion has not.
 std::map<std::string, std::string> jointTable(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion);
-/// The same; throws Error, naming some joints of both, where nothing matches.
+/// The same; throws Error, naming some joints of both, where nothing matches, unless the table says of every joint that
+/// nothing drives it.
 std::map<std::string, std::string> mappedJoints(const ActorRig& rig, const Skeleton& skeleton, const Motion& motion);
 
 /// The pose of the rig's motion alone at t seconds, by `joints` (`mappedJoints`).

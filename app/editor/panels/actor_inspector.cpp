@@ -73,11 +73,14 @@ void rigRows(Inspection& in, ActorRig& rig, const CompiledActor& actor) {
     ui::finePrint(std::to_string(joints) + (joints == 1 ? " joint" : " joints") + "  ·  " +
                   std::to_string(actor.limbs.size()) + (actor.limbs.size() == 1 ? " limb" : " limbs") +
                   (rig.skeleton.motion.empty() ? "" : "  ·  rest pose of " + rig.skeleton.motion));
-    static const std::vector<std::string> templates{"Biped", "Quadruped", "Chain"};
+    ui::note("Rig anew, as a");
     static constexpr const char* kWords[] = {"biped", "quadruped", "chain"};
-    int kind = -1;
-    if (ui::choice("Auto-rig", kind, templates, "Lays a skeleton into the object anew, and fits regions").changed)
-        workspace.actions.run("actor.rig", kWords[kind]);
+    static constexpr const char* kTitles[] = {"Biped", "Quadruped", "Chain"};
+    for (int kind = 0; kind < 3; ++kind) {
+        if (kind > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (ui::button(kTitles[kind], "Lays such a skeleton into the object, and fits regions (actor.rig)"))
+            workspace.actions.run("actor.rig", kWords[kind]);
+    }
     viewSwitch(workspace, "Edit rig", "rig.edit", workspace.actors.rigEdit,
                "Shows the actor at rest, to move joints and edit regions (Tab)");
     if (ui::button("Fit all regions", "Fits the regions of all limbs to the opaque voxels about them"))

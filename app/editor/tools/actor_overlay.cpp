@@ -112,12 +112,17 @@ void appendRegion(const CompiledActor& actor, int limb, const Vec4f& color, doub
 
 /// Points of the ring about `axis`, around the joint; equally far from it on the screen wherever it is.
 struct Ring {
-    Vec3 center{0};
+    Vec3 center{0}, toEye{0, 0, 1};
+    double radius = 0;
     std::array<Vec3, kRingPieces> points;
+
+    /// Whether a point of it lies behind the joint; one seen from the front, all in one depth, has none.
+    bool hides(const Vec3& p) const { return glm::dot(p - center, toEye) < -0.05 * radius; }
 };
 Ring ringOf(const CompiledActor& actor, int joint, int axis, const ActorLook& look) {
     Ring ring;
     ring.center = shownJoint(actor, joint);
+    ring.toEye = glm::normalize(look.camera.eye - ring.center);
     const CameraBasis basis = basisOf(look.camera);
     Vec3 u = basis.right, v = basis.up;
     double radius = kRingRadius * look.scale * worldPerPixel(look, ring.center);
@@ -129,6 +134,7 @@ Ring ringOf(const CompiledActor& actor, int joint, int axis, const ActorLook& lo
     } else {
         radius *= 1.22;
     }
+    ring.radius = radius;
     for (int n = 0; n < kRingPieces; ++n) {
         const double phi = 2 * kPi * n / kRingPieces;
         ring.points[std::size_t(n)] = ring.center + radius * (std::cos(phi) * u + std::sin(phi) * v);
@@ -143,19 +149,17 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
     return glm::distance(p, a + s * along);
 }
 
-/// Every n-th of the voxels for which `wanted` is true, at most `kMost`.
+/// Points as `look` at every `step`-th of the voxels for which `wanted` is true.
 template <class Wanted>
-void appendVoxels(const CompiledActor& actor, const OpaqueVoxels& voxels, const Wanted& wanted, std::size_t count,
-                  const Vec4f& color, double radius, Overlay& overlay) {
-    constexpr std::size_t kMost = 12'000;
-    const std::size_t step = count / kMost + 1;
+void appendVoxels(const CompiledActor& actor, const OpaqueVoxels& voxels, const Wanted& wanted, std::size_t step,
+                  OverlayPoint look, Overlay& overlay) {
     std::size_t met = 0, index = 0;
     for (int z = 0; z < voxels.size.z; ++z)
         for (int y = 0; y < voxels.size.y; ++y)
             for (int x = 0; x < voxels.size.x; ++x, ++index) {
                 if (!wanted(index) || met++ % step != 0) continue;
-                overlay.points.push_back(
-                    {transformPoint(actor.worldFromObject, voxels.centre({x, y, z})), color, float(radius), Vec4f(0)});
+                look.at = transformPoint(actor.worldFromObject, voxels.centre({x, y, z}));
+                overlay.points.push_back(look);
             }
 }
 
@@ -178,12 +182,16 @@ void appendCoverage(const CompiledActor& actor, const ActorBody& body, const Cov
     if (coverage.regions.size() != body.voxels.opaque.size()) return;
     const auto& regions = coverage.regions;
     const auto& opaque = body.voxels.opaque;
+    // What is missing matters more than what is there twice.
+    constexpr std::size_t kMostTwice = 4'000, kMostMissing = 12'000;
+    const OverlayPoint twice{Vec3(0), Vec4f(0.98f, 0.83f, 0.25f, 0.45f), float(1.2 * scale), Vec4f(0)};
+    const OverlayPoint missing{Vec3(0), withAlpha(theme::kProblem, 0.95f), float(2 * scale), Vec4f(0)};
     appendVoxels(
-        actor, body.voxels, [&](std::size_t i) { return opaque[i] && regions[i] > 1; }, coverage.doubly,
-        Vec4f(0.98f, 0.83f, 0.25f, 0.55f), 1.3 * scale, overlay);
+        actor, body.voxels, [&](std::size_t i) { return opaque[i] && regions[i] > 1; },
+        coverage.doubly / kMostTwice + 1, twice, overlay);
     appendVoxels(
-        actor, body.voxels, [&](std::size_t i) { return opaque[i] && regions[i] == 0; }, coverage.uncovered,
-        withAlpha(theme::kProblem, 0.95f), 2 * scale, overlay);
+        actor, body.voxels, [&](std::size_t i) { return opaque[i] && regions[i] == 0; },
+        coverage.uncovered / kMostMissing + 1, missing, overlay);
 }
 
 void appendRings(const CompiledActor& actor, int joint, const std::optional<RingHit>& marked, const ActorLook& look,
@@ -193,10 +201,9 @@ void appendRings(const CompiledActor& actor, int joint, const std::optional<Ring
         const Ring ring = ringOf(actor, joint, axis, look);
         const bool strong = marked && marked->axis == axis;
         const Vec4f color = axis < 3 ? theme::kAxis[std::size_t(axis)] : Vec4f(0.85f, 0.87f, 0.9f, 1);
-        const double middle = glm::distance(ring.center, look.camera.eye);
         for (std::size_t n = 0; n < kRingPieces; ++n) {
             const Vec3 &from = ring.points[n], &to = ring.points[(n + 1) % kRingPieces];
-            const bool behind = axis < 3 && glm::distance(0.5 * (from + to), look.camera.eye) > middle;
+            const bool behind = axis < 3 && ring.hides(0.5 * (from + to));
             const float alpha = strong ? 1.0f : behind ? 0.22f : axis == 3 ? 0.55f : 0.9f;
             overlay.lines.push_back({from, to, withAlpha(color, alpha),
                                      float((strong   ? 2.6
@@ -214,12 +221,11 @@ std::optional<RingHit> ringAt(const CompiledActor& actor, int joint, const Actor
     double nearest = radius;
     for (int axis = 0; axis < 4; ++axis) {
         const Ring ring = ringOf(actor, joint, axis, look);
-        const double middle = glm::distance(ring.center, look.camera.eye);
         for (std::size_t n = 0; n < kRingPieces; ++n) {
             const Vec3 from = project(look.camera, look.size, ring.points[n]);
             const Vec3 to = project(look.camera, look.size, ring.points[(n + 1) % kRingPieces]);
             // What lies behind the joint is faint, and not taken.
-            if (axis < 3 && glm::distance(ring.points[n], look.camera.eye) > middle) continue;
+            if (axis < 3 && ring.hides(ring.points[n])) continue;
             const double distance = distanceToSegment(at, Vec2(from), Vec2(to));
             if (from.z > 0 && to.z > 0 && distance < nearest) {
                 nearest = distance;
