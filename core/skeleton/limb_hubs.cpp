@@ -125,28 +125,33 @@ private:
 
 }  // namespace
 
+std::vector<HubRoot> hubRoots(const HubLimbs& in) {
+    std::vector<HubRoot> roots;
+    for (std::size_t l = 0; l < in.limbs.size(); ++l) {
+        const Limb& limb = in.limbs[l];
+        if (in.links.previous[l] >= 0 || (!in.disjoint.empty() && in.disjoint[std::size_t(limb.from)])) continue;
+        const Vec3& joint = in.rest[std::size_t(limb.from)].position;
+        for (std::size_t k = 0; k < in.limbs.size(); ++k)
+            if (k != l &&
+                (in.limbs[k].from == limb.from || in.limbs[k].to == limb.from || placeIn(in.motions[k].rest, joint)))
+                roots.push_back({int(l), int(k)});
+    }
+    return roots;
+}
+
 std::vector<std::vector<int>> hubNeighbours(const HubLimbs& in) {
-    const std::size_t count = in.limbs.size();
-    std::vector<std::vector<int>> met(count);
+    const auto& links = in.links;
+    std::vector<std::vector<int>> met(in.limbs.size());
     const auto meet = [&](int a, int b) {
         if (a < 0 || b < 0 || a == b) return;
-        const auto& links = in.links;
         if (links.next[std::size_t(a)] == b || links.previous[std::size_t(a)] == b) return;
         met[std::size_t(a)].push_back(b);
         met[std::size_t(b)].push_back(a);
     };
-    for (std::size_t l = 0; l < count; ++l) {
-        const Limb& limb = in.limbs[l];
-        if (in.links.previous[l] >= 0 || (!in.disjoint.empty() && in.disjoint[std::size_t(limb.from)])) continue;
-        const Vec3& joint = in.rest[std::size_t(limb.from)].position;
-        for (std::size_t k = 0; k < count; ++k) {
-            if (k == l) continue;
-            if (in.limbs[k].from != limb.from && in.limbs[k].to != limb.from && !placeIn(in.motions[k].rest, joint))
-                continue;
-            for (const int a : {int(l), in.links.next[l]})
-                for (const int b : {int(k), in.links.next[k], in.links.previous[k]}) meet(a, b);
-        }
-    }
+    for (const HubRoot& root : hubRoots(in))
+        for (const int a : {root.limb, links.next[std::size_t(root.limb)]})
+            for (const int b : {root.in, links.next[std::size_t(root.in)], links.previous[std::size_t(root.in)]})
+                meet(a, b);
     for (auto& of : met) {
         // In an order that does not depend on that of the limbs, so that sums do not either.
         std::sort(of.begin(), of.end(), [&](int a, int b) {

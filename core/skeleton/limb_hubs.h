@@ -17,9 +17,15 @@ struct HubLimbs {
     const std::vector<bool>& disjoint;  // of the joints; empty: none
 };
 
-/// For each limb the others that meet it about a branch, by their joints: a limb that continues none is rooted in those
-/// whose rest region holds its first joint (also those that begin or end there), unless that joint is disjoint. It and
-/// the limb that continues it meet those and their neighbours in the chain. Chains without branches meet nobody.
+/// A limb that continues none, and one that it is rooted in: whose rest region holds its first joint, or that begins or
+/// ends there. None for limbs whose first joint is disjoint.
+struct HubRoot {
+    int limb = 0, in = 0;
+};
+std::vector<HubRoot> hubRoots(const HubLimbs& limbs);
+
+/// For each limb the others that meet it about a branch, in an order by their joints: a rooted limb and the one that
+/// continues it meet those that it is rooted in and their neighbours in the chain. Chains without branches meet nobody.
 std::vector<std::vector<int>> hubNeighbours(const HubLimbs& limbs);
 
 /// Makes limbs that overlap at rest, about a branch, agree where they do, so that what two of them hold moves as one

@@ -49,8 +49,7 @@ public:
         fillPositions();
         if (options_.smooth) smooth();
         if (options_.preserveVolume) preserveVolume();
-        if (options_.smooth)
-            blendHubs({limbs_, links_, rest_, motions_, options_.disjoint}, grid_, sources_, deformed_);
+        if (options_.smooth) blendHubs(hubLimbs(), grid_, sources_, deformed_);
         numberVertices();
         writeVertices();
         for (std::size_t l = 0; l < limbs_.size(); ++l) writeHexahedra(l);
@@ -61,7 +60,27 @@ public:
         return std::move(regions_);
     }
 
+    std::vector<HubRole> roles() {
+        links_ = linkedLimbs(limbs_, rest_, options_.disjoint);
+        requireNoCircle(limbs_, links_);
+        placeLimbs();
+        shapeLimbs();
+        std::vector<HubRole> roles(limbs_.size(), HubRole::None);
+        const auto raise = [&](int l, HubRole role) {
+            if (l >= 0) roles[std::size_t(l)] = std::max(roles[std::size_t(l)], role);
+        };
+        for (const HubRoot& root : hubRoots(hubLimbs())) {
+            raise(root.limb, HubRole::Rooted);
+            raise(root.in, HubRole::Holds);
+            raise(links_.next[std::size_t(root.limb)], HubRole::Near);
+            raise(links_.next[std::size_t(root.in)], HubRole::Near);
+            raise(links_.previous[std::size_t(root.in)], HubRole::Near);
+        }
+        return roles;
+    }
+
 private:
+    HubLimbs hubLimbs() const { return {limbs_, links_, rest_, motions_, options_.disjoint}; }
     std::size_t next(std::size_t l) const { return std::size_t(links_.next[l]); }
     bool hasBevel(std::size_t l) const { return connections_[l] && connections_[l]->posed.wedge > 0; }
 
@@ -320,6 +339,14 @@ LimbRegions limbRegions(const std::vector<Limb>& limbs, const std::vector<PosedJ
                         const std::vector<PosedJoint>& posed, const RegionOptions& options) {
     requireValid(limbs, rest, posed, options);
     return RegionBuilder(limbs, rest, posed, options).build();
+}
+
+std::vector<HubRole> hubRoles(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
+                              const std::vector<bool>& disjoint) {
+    RegionOptions options;
+    options.disjoint = disjoint;
+    requireValid(limbs, rest, rest, options);
+    return RegionBuilder(limbs, rest, rest, options).roles();
 }
 
 MappedCells::Data cellsOf(const LimbRegions& regions, const std::vector<int>& limbs) {

@@ -1,6 +1,7 @@
 #pragma once
 // Limbs and their regions: boxes about bones at rest, mapped hexahedra when posed (definitions.md §6.3).
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,17 @@ MappedCells::Data cellsOf(const LimbRegions& regions, const std::vector<int>& li
 /// Which limb continues `limb` at its end (the connection described above); -1 where none does.
 int continuationOf(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest, int limb,
                    const std::vector<bool>& disjoint);
+
+/// A limb's part in a hub, where limbs branch and overlap.
+enum class HubRole : std::uint8_t {
+    None,
+    Near,   // overlaps some of a hub: the chain neighbours of those below
+    Holds,  // another limb is rooted in it
+    Rooted  // continues none, and begins in the midst of others
+};
+/// Of each limb. `disjoint` as in RegionOptions.
+std::vector<HubRole> hubRoles(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
+                              const std::vector<bool>& disjoint);
 
 /// The twelve edges of each limb's posed box as polylines along the subdivided cells, for showing it.
 std::vector<std::vector<Vec3>> outlineOf(const LimbRegions& regions, int limb, const RegionOptions& options);
