@@ -72,7 +72,7 @@ Timeline timelineFor(const Timeline& timeline, const Motion& motion, bool keepRa
         const double whole = std::max(1.0, std::round(rate));
         result.fps = std::abs(rate - whole) < 1e-3 * whole ? whole : rate;
     }
-    const double frames = std::floor(std::min(motion.duration() * result.fps, 1e9) + 1e-6) + 1;
+    const double frames = std::ceil(std::min(motion.duration() * result.fps, 1e9) - 1e-3) + 1;  // the last one too
     result.end = std::max({result.start + 1, int(frames), keepRate ? timeline.end : 0});
     return result;
 }

@@ -22,10 +22,10 @@ std::string addTransfer(Scene& scene, const NodePath& object, Transfer transfer,
 /// operator (in the place of `outer.of[0]`). Throws Error if no object is there or `outer` takes no operand.
 void wrapObject(Scene& scene, const NodePath& path, Object outer);
 
-/// Takes the node at `path` away. A place, recolor, transfer, displace, scaled displacement or mapped field becomes its
-/// operand. Anything else goes with all that is within it, and so does what cannot do without: a transfer that lost its
+/// Takes the node at `path` away. A place, recolor, transfer, displace, actor, scaled displacement or mapped field
+/// becomes its operand. Anything else goes with all that is within it, and so does what cannot do without: a transfer that lost its
 /// last STF becomes its operand, a sequence without any goes; an operator or list of displacements with one operand
-/// left becomes that, `transferred` without `by` its `of`, displace without `by` its operand; an attribute goes, any
+/// left becomes that, `transferred` without `by` its `of`, displace without `by` its operand; a limb shows the actor's object; an attribute goes, any
 /// other scalar field becomes 0; an entry by name goes with all its uses. Throws Error, and changes nothing, where
 /// nothing stands there or the scene would show nothing.
 void removeNode(Scene& scene, const NodePath& path);

@@ -30,6 +30,12 @@ FieldRef zero() {
     return Field{NumberField{0}};
 }
 
+/// Limbs that lost an object of their own show the actor's.
+void resetLost(SceneSkeleton& skeleton, const Lost& lost) {
+    for (std::size_t l = 0; l < skeleton.limbs.size(); ++l)
+        if (lostElement(lost, "limbs", l)) skeleton.limbs[l].of.reset();
+}
+
 // ---- What is left of a node that lost some of its children; nothing where it cannot do without
 
 std::optional<ObjectRef> left(const Object& object, const Lost& lost) {
@@ -51,6 +57,12 @@ std::optional<ObjectRef> left(const Object& object, const Lost& lost) {
     if (const auto* displace = std::get_if<DisplaceObject>(&object.kind)) {
         if (lostMember(lost, "of")) return std::nullopt;
         return displace->of;
+    }
+    if (const auto* actor = std::get_if<ActorObject>(&object.kind)) {
+        if (lostMember(lost, "of")) return std::nullopt;
+        ActorObject rest = *actor;
+        resetLost(rest.rig.skeleton, lost);
+        return Object{std::move(rest)};
     }
     if (const auto* fields = std::get_if<FieldsObject>(&object.kind)) {
         FieldsObject rest = *fields;
@@ -82,6 +94,7 @@ std::optional<TransferRef> left(const Transfer& transfer, const Lost& lost) {
         return transferred->of;
     }
     if (auto* fields = std::get_if<FieldsTransfer>(&rest.kind)) replaceLost(fields->fields, lost);
+    if (auto* skeleton = std::get_if<SkeletonTransfer>(&rest.kind)) resetLost(skeleton->rig.skeleton, lost);
     return rest;
 }
 
@@ -123,6 +136,7 @@ std::optional<ObjectRef> operandOf(const Object& object) {
     if (const auto* place = std::get_if<PlaceObject>(&object.kind)) return place->of;
     if (const auto* recolor = std::get_if<RecolorObject>(&object.kind)) return recolor->of;
     if (const auto* transfer = std::get_if<TransferObject>(&object.kind)) return transfer->of;
+    if (const auto* actor = std::get_if<ActorObject>(&object.kind)) return actor->of;
     if (const auto* displace = std::get_if<DisplaceObject>(&object.kind)) return displace->of;
     return std::nullopt;
 }

@@ -18,10 +18,10 @@ struct Cost {
     double nodes = 1;        // visited for one point, what is shared as often as it is used
 };
 
-/// Levels that a node takes by itself: a list of STFs nests as deep as it is long.
+/// Levels that a node takes by itself: a list of STFs nests as deep as it is long, an actor is a union of transfers.
 std::size_t ownHeight(const Object& object) {
-    const auto* transfer = std::get_if<TransferObject>(&object.kind);
-    return 1 + (transfer ? transfer->by.size() : 0);
+    if (const auto* transfer = std::get_if<TransferObject>(&object.kind)) return 1 + transfer->by.size();
+    return std::holds_alternative<ActorObject>(object.kind) ? 2 : 1;
 }
 std::size_t ownHeight(const Transfer& transfer) {
     const auto* sequence = std::get_if<SequenceTransfer>(&transfer.kind);

@@ -97,6 +97,7 @@ private:
     SkeletonTransfer skeletonTransfer(const JsonView& view);
     ActorRig rig(const JsonView& view);
     SceneSkeleton skeleton(const JsonView& view);
+    Placement fit(const JsonView& view) const;
     SceneJoint joint(const JsonView& view) const;
     SceneLimb limb(const JsonView& view);
     void checkJoints(const JsonView& view, const std::vector<SceneJoint>& joints) const;

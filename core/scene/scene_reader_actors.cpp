@@ -94,7 +94,7 @@ SceneSkeleton SceneReader::skeleton(const JsonView& view) {
         for (std::size_t j = 0; j < joints.value.size(); ++j) result.joints.push_back(joint(joints[j]));
         checkJoints(joints, result.joints);
     }
-    if (view.has("fit")) result.fit = placement(view["fit"]);
+    if (view.has("fit")) result.fit = fit(view["fit"]);
     if (!view.has("limbs")) return result;
     const JsonView limbs = view["limbs"];
     if (limbs.value.size() > kMostJoints)
@@ -103,6 +103,20 @@ SceneSkeleton SceneReader::skeleton(const JsonView& view) {
     for (std::size_t l = 0; l < limbs.value.size(); ++l) result.limbs.push_back(limb(limbs[l]));
     checkLimbs(limbs, result);
     return result;
+}
+
+Placement SceneReader::fit(const JsonView& view) const {
+    if (view.has("scale")) {
+        const JsonView scale = view["scale"];
+        const auto isZero = [](const nlohmann::json& number) {
+            return number.is_number() && number.get<double>() == 0;
+        };
+        const auto& value = scale.value;
+        if (isZero(value) || (value.is_array() && std::any_of(value.begin(), value.end(), isZero)))
+            fail(view.place, "fit.scale is 0, which flattens the skeleton",
+                 "give the length in the object of one unit of the skeleton");
+    }
+    return placement(view);
 }
 
 SceneJoint SceneReader::joint(const JsonView& view) const {

@@ -34,6 +34,16 @@ std::string written(const std::vector<PathPoint>& path) {
     return text;
 }
 
+TEST(PathThrough, LeadsThroughAnActorByItsName) {
+    const auto scene = sceneOf(R"({"type": "actor", "name": "rod", "of": )" + kBall + R"(, "skeleton": {"joints": [
+        {"name": "a", "parent": null, "at": [-1, 0, 0], "translate": [5, 0, 0]},
+        {"name": "b", "parent": "a", "at": [1, 0, 0]}],
+        "limbs": [{"name": "l", "from": "a", "to": "b", "size": [2, 2]}]}})");
+    EXPECT_EQ(written(pathThrough(*scene.root, {6, 0, 0})), "rod:1");
+    EXPECT_EQ(written(pathThrough(*scene.root, {3, 0, 0})), "rod:-");
+    EXPECT_EQ(outermostTransfer(*scene.root).list.size(), 1u);
+}
+
 TEST(PathThrough, HasOneEntryForEachOfAListTheOutermostFirst) {
     const auto scene = sceneOf(transfer("[" + shift(1, "a") + ", " + shift(2, "b") + "]", kBall));
     EXPECT_EQ(written(pathThrough(*scene.root, {5, 0, 0})), "b:3 a:2");

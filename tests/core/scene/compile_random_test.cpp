@@ -9,11 +9,25 @@
 namespace voledit::test {
 namespace {
 
+/// A motion with the joints that random skeletons have.
+std::shared_ptr<const Motion> legs() {
+    Motion motion;
+    motion.joints = {{"hip", Joint::kNoParent, {0, 0, 1}, {MotionChannel::Zposition, MotionChannel::Xrotation}},
+                     {"knee/~", 0, {0, 0, -3}, {MotionChannel::Xrotation}},
+                     {"foot", 1, {0, 0.5, -3}, {}},
+                     {"\"ü\"", 0, {2, 0, 0}, {}}};
+    motion.frames = 3;
+    motion.frameTime = 0.5;
+    motion.values = {0, 0, 0, 1, 30, 10, 2, 60, 90};
+    return std::make_shared<const Motion>(motion);
+}
+
 TEST(CompileRandomScenes, GivesATermThatCanBeSampledOrAnErrorWithItsPlace) {
     LoadedAssets assets;
     assets.volumes["a \"é\" /~"] =
         unitVolume(9, 3, [](const Vec3& p, int c) { return 1000 * p.x * p.y + 300 * c * p.z; });
-    RandomScenes random(11);
+    assets.motions["b"] = legs();
+    RandomScenes random(11, true, false);
     int compiledWell = 0, refused = 0;
     for (int n = 0; n < 150; ++n) {
         const Scene scene = random.next();
@@ -46,7 +60,8 @@ TEST(CompileRandomScenes, GivesATermThatCanBeSampledOrAnErrorWithItsPlace) {
 TEST(CompileRandomScenes, WritingFramesOutMovesNothing) {
     LoadedAssets assets;
     assets.volumes["a \"é\" /~"] = unitVolume(5, 3, [](const Vec3& p, int) { return 1000 * p.x; });
-    RandomScenes random(12);
+    assets.motions["b"] = legs();
+    RandomScenes random(12, true, false);
     int compared = 0;
     for (int n = 0; n < 120; ++n) {
         const Scene scene = random.next();

@@ -7,10 +7,12 @@
 
 namespace voledit::test {
 
-/// Every scene can be written and read; names of every kind are used; with `tracks`, anything may have some.
+/// Every scene can be written and read; names of every kind are used; with `tracks`, anything may have some; without
+/// `fitted`, every limb has a size, so that compiling fits none.
 class RandomScenes {
 public:
-    explicit RandomScenes(unsigned seed, bool tracks = true) : random_(seed), tracks_(tracks) {}
+    explicit RandomScenes(unsigned seed, bool tracks = true, bool fitted = true)
+        : random_(seed), tracks_(tracks), fitted_(fitted) {}
 
     Scene next() {
         Scene scene;
@@ -252,7 +254,7 @@ private:
         result.name = name;
         result.from = "hip";
         result.to = chance() ? "foot" : "knee/~";
-        if (chance()) result.size = tracked(Vec2(unit() + 1e-3, unit() + 1e-3), 1e-3, 1);
+        if (!fitted_ || chance()) result.size = tracked(Vec2(unit() + 1e-3, unit() + 1e-3), 1e-3, 1);
         if (chance()) result.offset = tracked(Vec2(number(), unit()));
         if (chance()) result.roll = tracked(number());
         if (chance()) result.pad = tracked(Vec2(number(), unit()));
@@ -436,7 +438,7 @@ private:
     }
 
     std::mt19937 random_;
-    bool tracks_;
+    bool tracks_, fitted_;
     std::vector<std::string> transferNames_, displacementNames_, objectNames_;  // that may be used
 };
 

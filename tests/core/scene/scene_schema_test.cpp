@@ -136,6 +136,17 @@ std::vector<json> corpus() {
                  {"name": "knee", "parent": "hip", "at": [0, 0, -1],
                   "rotate": {"keys": [[0, [0, 0, 0]], [1, [90, 0, 0]]], "interpolation": "smooth"},
                   "translate": {"keys": [[0, [0, 0, 0]]]}}]}})",
+             R"({"type": "actor", "name": "walker", "of": {"use": "a"}, "motion": "walk", "mode": "disjoint",
+                 "motionMap": {"hip": "Hips", "knee": null}, "motionFit": {"scale": 2, "translate": [0, 0, 1]},
+                 "inPlace": true, "cells": [2, 2, 8], "miterLimit": 1.5, "smooth": false, "preserveVolume": true,
+                 "poses": {"sit": {"knee": [90, 0, 0]}, "rest": {}}, "skeleton": {"motion": "walk",
+                 "pose": [{"name": "hip", "rotate": [0, 0, {"keys": [[0, 0, "step"], [1, 2]]}],
+                           "translate": [0, 0, 0], "limits": {"min": [-1, -1, -1], "max": [1, 1, 1]}}],
+                 "limbs": [{"name": "arm", "from": "a", "to": "b", "size": {"keys": [[0, [1, 2], "smooth"]]},
+                            "offset": [0, {"keys": [[0, 1]]}], "roll": {"keys": [[0, 1, "linear"]]}}]}})",
+             R"({"type": "actor", "of": {"use": "a"}, "skeleton": {"joints": [
+                 {"name": "hip", "parent": null, "at": {"keys": [[0, [0, 0, 0], "step"], [1, [0, 0, 1]]]},
+                  "limits": {"min": [0, 0, 0], "max": [0, 0, 0]}}]}})",
          })
         all.push_back(withRoot(object));
     for (
