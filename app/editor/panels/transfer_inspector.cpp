@@ -154,6 +154,8 @@ void inspectTransfer(Inspection& inspection, Transfer& transfer) {
     if (auto* affine = std::get_if<AffineTransfer>(&transfer.kind)) inspection.placementRows(affine->placement);
     if (auto* fields = std::get_if<FieldsTransfer>(&transfer.kind)) inspectFields(inspection, *fields);
     if (const auto* mapped = std::get_if<MappedTransfer>(&transfer.kind)) inspectMapped(*mapped);
+    if (const auto* skeleton = std::get_if<SkeletonTransfer>(&transfer.kind))
+        ui::note("Limb " + skeleton->limb + " of a skeleton, as the file gives it.");
     if (std::holds_alternative<SequenceTransfer>(transfer.kind)) ui::note("Applied in order, the first first.");
     if (std::holds_alternative<TransferredTransfer>(transfer.kind)) ui::note("The second, moved by the first.");
     ui::heading("STRENGTH");
