@@ -53,7 +53,8 @@ TEST_F(RigCommand, LaysTheBipedIntoAPerson) {
     EXPECT_EQ(report["template"], "biped");
     EXPECT_EQ(report["limbs"].size(), 24u);
     EXPECT_GE(report["covered"].get<double>(), 0.9999);
-    EXPECT_LT(report["doubly"].get<double>(), 0.3 * report["opaque"].get<double>());
+    // Regions are widened about hubs, where they overlap on purpose (core/rigging/README.md): chest and pelvis.
+    EXPECT_LT(report["doubly"].get<double>(), 0.45 * report["opaque"].get<double>());
     const auto joint = [&](const std::string& name) { return report["joints"][name].get<std::array<double, 3>>(); };
     // Where MakeHuman, whose figure this is, has its joints: to a 37th of the height of 16.6.
     const std::vector<std::pair<std::string, std::array<double, 3>>> places{{"Hips", {0, 0.73, 0.14}},
