@@ -210,13 +210,13 @@ FitProblem problemOf(const std::vector<Limb>& limbs, const std::vector<PosedJoin
 /// Where limbs overlap about a hub they move as one, the more softly the more they overlap, and the faces that cross
 /// should do so outside the flesh: these regions reach farther than their voxels, by parts of their sections.
 void widenHubs(std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest, const std::vector<bool>& fit) {
-    constexpr double kHub = 0.3, kNear = 0.18;
+    constexpr double kHub = 0.3, kNext = 0.18;
     const std::vector<HubRole> roles = hubRoles(limbs, rest, {});
     for (std::size_t l = 0; l < limbs.size(); ++l) {
         if (!fit[l] || roles[l] == HubRole::None) continue;
         const double width = std::min(limbs[l].size.x, limbs[l].size.y);
         if (roles[l] == HubRole::Rooted) limbs[l].pad.x += kHub / 2 * width;
-        limbs[l].size += (roles[l] == HubRole::Near ? kNear : kHub) * width;
+        limbs[l].size += (roles[l] == HubRole::Next ? kNext : kHub) * width;
     }
 }
 

@@ -125,6 +125,7 @@ NodePath addActor(Scene& scene, const NodePath& object, const std::string& name,
         actor.rig.skeleton.limbs.push_back(sceneLimbOf(limb, rig.skeleton));
         setExtent(actor.rig.skeleton.limbs.back(), limb);
     }
+    actor.rig.preserveVolume = true;  // else a twist, shared by two regions, narrows wrists and shoulders
     editObjectAt(scene, object, [&](Object& inner) {
         actor.of = std::move(inner);
         inner.kind = std::move(actor);

@@ -53,8 +53,10 @@ Box3 boxOf(const LimbShape& shape) {
     return box;
 }
 
+/// From 0 on a face to 1; steep at first, as skin lies near the faces and others' say must not end abruptly there.
 double risen(double depth) {
-    return glm::smoothstep(0.0, kRamp, depth);
+    const double x = std::min(depth / kRamp, 1.0);
+    return x * (2 - x);
 }
 
 class Hubs {
@@ -149,9 +151,10 @@ std::vector<std::vector<int>> hubNeighbours(const HubLimbs& in) {
         met[std::size_t(b)].push_back(a);
     };
     for (const HubRoot& root : hubRoots(in))
-        for (const int a : {root.limb, links.next[std::size_t(root.limb)]})
-            for (const int b : {root.in, links.next[std::size_t(root.in)], links.previous[std::size_t(root.in)]})
-                meet(a, b);
+        for (const int a : {root.limb, links.next[std::size_t(root.limb)]}) {
+            for (int b = root.in; b >= 0; b = links.next[std::size_t(b)]) meet(a, b);
+            for (int b = root.in; b >= 0; b = links.previous[std::size_t(b)]) meet(a, b);
+        }
     for (auto& of : met) {
         // In an order that does not depend on that of the limbs, so that sums do not either.
         std::sort(of.begin(), of.end(), [&](int a, int b) {

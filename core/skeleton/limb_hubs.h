@@ -25,12 +25,12 @@ struct HubRoot {
 std::vector<HubRoot> hubRoots(const HubLimbs& limbs);
 
 /// For each limb the others that meet it about a branch, in an order by their joints: a rooted limb and the one that
-/// continues it meet those that it is rooted in and their neighbours in the chain. Chains without branches meet nobody.
+/// continues it meet the chains of those that it is rooted in. Chains without branches meet nobody.
 std::vector<std::vector<int>> hubNeighbours(const HubLimbs& limbs);
 
 /// Makes limbs that overlap at rest, about a branch, agree where they do, so that what two of them hold moves as one
 /// and their faces show no step: a vertex of limb j moves by the mean of what j and its neighbours do there, weighted
-/// by how deep it lies in each (1 within, falling smoothly to 0 on the faces; faces shared with a continuation do not
+/// by how deep it lies in each (1 within, falling to 0 on the faces; faces shared with a continuation do not
 /// count). So a partition of unity over the overlapping maps; on a face of j that lies within k, j moves as k does.
 /// Only overlaps change, and nothing to the bit where rest and pose are equal.
 /// @param sources,deformed  of each limb's whole grid; the second is changed

@@ -72,9 +72,9 @@ public:
         for (const HubRoot& root : hubRoots(hubLimbs())) {
             raise(root.limb, HubRole::Rooted);
             raise(root.in, HubRole::Holds);
-            raise(links_.next[std::size_t(root.limb)], HubRole::Near);
-            raise(links_.next[std::size_t(root.in)], HubRole::Near);
-            raise(links_.previous[std::size_t(root.in)], HubRole::Near);
+            raise(links_.next[std::size_t(root.limb)], HubRole::Next);
+            raise(links_.next[std::size_t(root.in)], HubRole::Beside);
+            raise(links_.previous[std::size_t(root.in)], HubRole::Beside);
         }
         return roles;
     }

@@ -71,9 +71,10 @@ int continuationOf(const std::vector<Limb>& limbs, const std::vector<PosedJoint>
 /// A limb's part in a hub, where limbs branch and overlap.
 enum class HubRole : std::uint8_t {
     None,
-    Near,   // overlaps some of a hub: the chain neighbours of those below
-    Holds,  // another limb is rooted in it
-    Rooted  // continues none, and begins in the midst of others
+    Next,    // continues one that is rooted
+    Beside,  // stands before or behind one that holds another, in its chain
+    Holds,   // another limb is rooted in it
+    Rooted   // continues none, and begins in the midst of others
 };
 /// Of each limb. `disjoint` as in RegionOptions.
 std::vector<HubRole> hubRoles(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest,
