@@ -33,7 +33,7 @@ void drawMark(ImDrawList& list, const ImVec2& at, const MarkLook& look, float sc
     const ImU32 edge = packed(look.hovered ? theme::kText : theme::kLine);
     switch (look.interpolation) {
         case Track::Interpolation::Step: {
-            const float side = std::round(0.8f * half);
+            const float side = std::round(0.85f * half + 0.3f * scale);
             const ImVec2 min(at.x - side, at.y - side), max(at.x + side, at.y + side);
             list.AddRectFilled(min, max, fill, scale);
             list.AddRect(min, max, edge, scale, 0, line);

@@ -15,7 +15,7 @@ namespace voledit {
 namespace {
 
 // Design pixels.
-constexpr float kRowHeight = 22, kReach = 8, kDragThreshold = 3;
+constexpr float kRowHeight = 21, kReach = 8, kDragThreshold = 3;
 
 void toggle(std::vector<KeyRef>& keys, const std::vector<KeyRef>& some) {
     const bool all = std::all_of(some.begin(), some.end(), [&](const KeyRef& key) { return contains(keys, key); });

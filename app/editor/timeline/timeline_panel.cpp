@@ -21,7 +21,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                     ImGuiWindowFlags_NoScrollWithMouse;
 // Design pixels.
-constexpr float kTransportHeight = 40, kRulerHeight = 24, kEdge = 5, kLeast = 70, kMost = 1200;
+constexpr float kTransportHeight = 38, kRulerHeight = 24, kEdge = 5, kLeast = 70, kMost = 1200;
 constexpr float kNumberSpacing = 56;
 constexpr double kZoomANotch = 1.2;
 

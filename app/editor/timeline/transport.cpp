@@ -102,7 +102,8 @@ void rangeFields(Workspace& workspace) {
 
 void drawTransport(Workspace& workspace) {
     const float scale = workspace.scale, spacing = kGap * scale, field = kFieldWidth * scale;
-    const float inner = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+    // As much room at the right as at the left.
+    const float left = ImGui::GetCursorPosX(), inner = ImGui::GetContentRegionAvail().x - left;
     const float button = 1.1f * ImGui::GetFrameHeight();
     buttons(workspace);
     gap(2 * kGap, scale);
