@@ -12,6 +12,8 @@
 #include "app/cli/arguments.h"
 #include "core/base/error.h"
 #include "core/eval/ray_caster.h"
+#include "core/scene/actor_edits.h"
+#include "core/scene/nodes.h"
 #include "core/scene/scene_children.h"
 #include "render/context.h"
 #include "render/slice_renderer.h"
@@ -106,6 +108,11 @@ Camera orbited(const Camera& camera, double degrees) {
 }
 
 void nudgeOutermost(Scene& scene, double length) {
+    if (const auto actors = actorPaths(scene); !actors.empty() && actors.front() == followedUse(scene, kRootPath)) {
+        editRig(scene, actors.front(),
+                [&](ActorRig& rig) { rig.skeleton.fit.translate = *rig.skeleton.fit.translate + Vec3(length, 0, 0); });
+        return;
+    }
     Transfer* transfer = outermost(scene, scene.root);
     if (!transfer) throw Error("--time-edits: the scene's root has no transfer to edit; add a lattice first");
     if (auto* ffd = std::get_if<FfdTransfer>(&transfer->kind)) {
@@ -122,7 +129,7 @@ void nudgeOutermost(Scene& scene, double length) {
         return;
     }
     bool first = true;
-    const auto nudge = [&]<class T>(T& value) {
+    const auto nudge = [&]<class T>(const ValueName&, T& value) {
         if constexpr (!std::is_same_v<T, TrackedFrame>) {
             auto numbers = numbersOf(*value);
             if (numbers.empty() || !std::exchange(first, false)) return;
