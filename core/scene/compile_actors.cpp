@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <numbers>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/rigging/rig.h"
@@ -110,14 +111,13 @@ void Compiler::fitLimbs(CompiledActor& actor, const std::vector<SceneLimb>& writ
     auto& known = in_.fitted[at_];
     if (known.size() != written.size()) {
         known = actor.limbs;
-        std::vector<bool> done(written.size());
+        std::set<TermPtr> done;
         for (std::size_t l = 0; l < written.size(); ++l) {
-            if (done[l] || written[l].size) continue;
-            std::vector<bool> fit(written.size());
-            for (std::size_t k = l; k < written.size(); ++k)
-                if (of[k] == of[l] && !written[k].size) fit[k] = done[k] = true;
+            if (written[l].size || !done.insert(of[l]).second) continue;
+            std::vector<bool> fit;
+            for (const TermPtr& shown : of) fit.push_back(shown == of[l]);
             const auto limbs = fittedTo(of[l], actor, fit);
-            for (std::size_t k = l; k < written.size(); ++k)
+            for (std::size_t k = 0; k < written.size(); ++k)
                 if (fit[k]) known[k] = (*limbs)[k];
         }
     }
@@ -129,13 +129,20 @@ void Compiler::fitLimbs(CompiledActor& actor, const std::vector<SceneLimb>& writ
     }
 }
 
+/// Fits limbs as if none of them were written, so that pulling at one limb's box changes no other and fits nothing
+/// anew.
 std::shared_ptr<const std::vector<Limb>> Compiler::fittedTo(const TermPtr& of, const CompiledActor& actor,
                                                             const std::vector<bool>& fit) {
     const auto voxels = piece<OpaqueVoxels>(PieceKey("opaque voxels", of), [&] {
         return std::make_shared<const OpaqueVoxels>(opaqueVoxels(*of, kFittedOpacity));
     });
-    return piece<std::vector<Limb>>(PieceKey("fitted limbs", voxels, actor.rest, actor.limbs, fit), [&] {
-        return std::make_shared<const std::vector<Limb>>(fittedLimbs(*voxels, actor.rest, actor.limbs, fit));
+    std::vector<Limb> bare = actor.limbs;
+    for (Limb& limb : bare) {
+        limb.size = Vec2(1);
+        limb.offset = limb.pad = Vec2(0);
+    }
+    return piece<std::vector<Limb>>(PieceKey("fitted limbs", voxels, actor.rest, bare, fit), [&] {
+        return std::make_shared<const std::vector<Limb>>(fittedLimbs(*voxels, actor.rest, bare, fit));
     });
 }
 
@@ -153,7 +160,7 @@ TransferPtr Compiler::mapOf(const std::shared_ptr<const LimbRegions>& regions, c
                             Outside outside) {
     return piece<SpatialTransferFunction>(PieceKey("limb cells", regions, limbs, outside), [&] {
         const bool all = limbs.size() + 1 == regions->firstCell.size();
-        return std::make_shared<const CellMap>(all ? regions->cells : cellsOf(*regions, limbs), outside);
+        return std::make_shared<const CellMap>(all ? joinedCells(*regions) : cellsOf(*regions, limbs), outside);
     });
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -65,13 +67,57 @@ public:
          std::vector<std::vector<Vec3>>& deformed)
         : in_(limbs), grid_(grid), sources_(sources), deformed_(deformed), before_(deformed) {}
 
-    void blend() {
+    std::vector<std::vector<char>> blend() {
         const auto neighbours = hubNeighbours(in_);
-        for (std::size_t l = 0; l < neighbours.size(); ++l)
-            if (!neighbours[l].empty()) blendLimb(l, neighbours[l]);
+        const std::vector<int> ranks = this->ranks();
+        const std::size_t cells = std::size_t(grid_.cells.x) * std::size_t(grid_.cells.y) * std::size_t(grid_.cells.z);
+        std::vector<std::vector<char>> repeated(neighbours.size(), std::vector<char>(cells, 0));
+        for (std::size_t l = 0; l < neighbours.size(); ++l) {
+            if (neighbours[l].empty()) continue;
+            blendLimb(l, neighbours[l]);
+            std::uint64_t before = 0;
+            for (std::size_t k = 0; k < std::min(neighbours[l].size(), kMostMasked); ++k)
+                if (ranks[std::size_t(neighbours[l][k])] < ranks[l]) before |= std::uint64_t(1) << k;
+            findRepeated(before, repeated[l]);
+        }
+        return repeated;
     }
 
 private:
+    static constexpr std::size_t kMostMasked = 64;
+
+    /// Which of two limbs keeps what both hold: the lower one.
+    std::vector<int> ranks() const {
+        std::vector<int> order(in_.limbs.size()), ranks(in_.limbs.size()), depth(in_.limbs.size(), 0);
+        for (const HubRoot& root : hubRoots(in_)) {
+            depth[std::size_t(root.limb)] = std::max(depth[std::size_t(root.limb)], 1);
+            if (const int next = in_.links.next[std::size_t(root.limb)]; next >= 0) depth[std::size_t(next)] = 2;
+        }
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(), order.end(), [&](int a, int b) {
+            const Limb &first = in_.limbs[std::size_t(a)], &second = in_.limbs[std::size_t(b)];
+            return std::tie(depth[std::size_t(a)], first.from, first.to, a) <
+                   std::tie(depth[std::size_t(b)], second.from, second.to, b);
+        });
+        for (std::size_t n = 0; n < order.size(); ++n) ranks[std::size_t(order[n])] = int(n);
+        return ranks;
+    }
+
+    /// Cells whose corners all lie in one of the neighbours of the mask `before`.
+    void findRepeated(std::uint64_t before, std::vector<char>& repeated) const {
+        const std::size_t row = std::size_t(grid_.cells.x + 1), layer = grid_.layerSize();
+        std::size_t cell = 0;
+        for (std::size_t k = 0; k < std::size_t(grid_.cells.z); ++k)
+            for (std::size_t j = 0; j < std::size_t(grid_.cells.y); ++j)
+                for (std::size_t i = 0; i < std::size_t(grid_.cells.x); ++i, ++cell) {
+                    std::uint64_t common = before;
+                    for (const std::size_t corner : {std::size_t(0), std::size_t(1), row, row + 1})
+                        for (const std::size_t side : {std::size_t(0), layer})
+                            common &= inside_[i + row * j + layer * k + corner + side];
+                    repeated[cell] = common != 0;
+                }
+    }
+
     /// How much limb l has to say at (u, v, w) of its region.
     double weight(std::size_t l, const Vec3& s) const {
         const double across = risen(std::min(s.x, 1 - s.x)) * risen(std::min(s.y, 1 - s.y));
@@ -98,6 +144,7 @@ private:
     void blendLimb(std::size_t l, const std::vector<int>& neighbours) {
         std::vector<Box3> boxes;
         for (const int k : neighbours) boxes.push_back(boxOf(in_.motions[std::size_t(k)].rest));
+        inside_.assign(grid_.size(), 0);
         for (std::size_t n = 0; n < grid_.size(); ++n) {
             const Vec3& q = sources_[l][n];
             const Index3 v(int(n % std::size_t(grid_.cells.x + 1)),
@@ -110,6 +157,7 @@ private:
                 const std::size_t other = std::size_t(neighbours[k]);
                 const auto place = placeIn(in_.motions[other].rest, q);
                 if (!place) continue;
+                if (k < kMostMasked) inside_[n] |= std::uint64_t(1) << k;
                 const double w = weight(other, *place);
                 weights += w;
                 change += w * (displacement(other, *place) - own);
@@ -123,6 +171,7 @@ private:
     const std::vector<std::vector<Vec3>>& sources_;
     std::vector<std::vector<Vec3>>& deformed_;
     const std::vector<std::vector<Vec3>> before_;
+    std::vector<std::uint64_t> inside_;  // of the limb being blended: which neighbours hold each vertex, by bits
 };
 
 }  // namespace
@@ -166,9 +215,10 @@ std::vector<std::vector<int>> hubNeighbours(const HubLimbs& in) {
     return met;
 }
 
-void blendHubs(const HubLimbs& limbs, const LimbGrid& grid, const std::vector<std::vector<Vec3>>& sources,
-               std::vector<std::vector<Vec3>>& deformed) {
-    Hubs(limbs, grid, sources, deformed).blend();
+std::vector<std::vector<char>> blendHubs(const HubLimbs& limbs, const LimbGrid& grid,
+                                         const std::vector<std::vector<Vec3>>& sources,
+                                         std::vector<std::vector<Vec3>>& deformed) {
+    return Hubs(limbs, grid, sources, deformed).blend();
 }
 
 }  // namespace voledit

@@ -49,11 +49,15 @@ public:
         fillPositions();
         if (options_.smooth) smooth();
         if (options_.preserveVolume) preserveVolume();
-        if (options_.smooth) blendHubs(hubLimbs(), grid_, sources_, deformed_);
+        if (options_.smooth) repeated_ = blendHubs(hubLimbs(), grid_, sources_, deformed_);
         numberVertices();
         writeVertices();
         for (std::size_t l = 0; l < limbs_.size(); ++l) writeHexahedra(l);
         regions_.firstCell.push_back(regions_.cells.hexahedra.size());
+        regions_.repeated.resize(regions_.cells.hexahedra.size(), 0);
+        for (std::size_t l = 0; l < repeated_.size(); ++l)
+            std::copy(repeated_[l].begin(), repeated_[l].end(),
+                      regions_.repeated.begin() + std::ptrdiff_t(regions_.firstCell[l]));
         regions_.cells.jacobian = limbJacobians(regions_.cells.deformed, regions_.cells.source, grid_, layers_);
         for (std::size_t l = 0; l < limbs_.size(); ++l)
             if (hasBevel(l)) writeBevelJacobians(l);
@@ -111,8 +115,9 @@ private:
     std::vector<LimbMotion> motions_;
     std::vector<std::vector<Vec3>> sources_, deformed_;  // of each limb's whole grid, shared faces twice
     std::vector<EndCorrection> starts_, ends_;
-    LimbLayers layers_;                  // first vertex of each limb's layers
-    std::vector<std::uint32_t> bevels_;  // first vertex of the layers within each limb's bevel
+    LimbLayers layers_;                        // first vertex of each limb's layers
+    std::vector<std::uint32_t> bevels_;        // first vertex of the layers within each limb's bevel
+    std::vector<std::vector<char>> repeated_;  // of each limb's cells; empty where nothing is blended
     LimbRegions regions_;
 };
 
@@ -347,6 +352,14 @@ std::vector<HubRole> hubRoles(const std::vector<Limb>& limbs, const std::vector<
     options.disjoint = disjoint;
     requireValid(limbs, rest, rest, options);
     return RegionBuilder(limbs, rest, rest, options).roles();
+}
+
+MappedCells::Data joinedCells(const LimbRegions& regions) {
+    MappedCells::Data cells = regions.cells;
+    cells.hexahedra.clear();
+    for (std::size_t c = 0; c < regions.cells.hexahedra.size(); ++c)
+        if (!regions.repeated[c]) cells.hexahedra.push_back(regions.cells.hexahedra[c]);
+    return cells;
 }
 
 MappedCells::Data cellsOf(const LimbRegions& regions, const std::vector<int>& limbs) {

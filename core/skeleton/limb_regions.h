@@ -38,6 +38,8 @@ struct LimbRegions {
     MappedCells::Data cells;
     /// Hexahedra firstCell[l] … firstCell[l+1]−1 are of limb l (with the bevel at its end); limbs + 1 entries.
     std::vector<std::size_t> firstCell;
+    /// One for each hexahedron: 1 where another limb's region holds all of it at rest and moves as one with it.
+    std::vector<char> repeated;
 };
 
 /// Regions of `limbs` between rest joints `rest` and posed joints `posed` (as many; in the space of the object).
@@ -63,6 +65,9 @@ LimbRegions limbRegions(const std::vector<Limb>& limbs, const std::vector<PosedJ
 
 /// The regions of some limbs alone (indices ascending): cells of their own, with the same vertices and Jacobians.
 MappedCells::Data cellsOf(const LimbRegions& regions, const std::vector<int>& limbs);
+
+/// The regions of all limbs together, without the cells that are repeated: fewer lie over each other.
+MappedCells::Data joinedCells(const LimbRegions& regions);
 
 /// Which limb continues `limb` at its end (the connection described above); -1 where none does.
 int continuationOf(const std::vector<Limb>& limbs, const std::vector<PosedJoint>& rest, int limb,
