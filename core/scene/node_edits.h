@@ -23,11 +23,11 @@ std::string addTransfer(Scene& scene, const NodePath& object, Transfer transfer,
 void wrapObject(Scene& scene, const NodePath& path, Object outer);
 
 /// Takes the node at `path` away. A place, recolor, transfer, displace, actor, scaled displacement or mapped field
-/// becomes its operand. Anything else goes with all that is within it, and so does what cannot do without: a transfer that lost its
-/// last STF becomes its operand, a sequence without any goes; an operator or list of displacements with one operand
-/// left becomes that, `transferred` without `by` its `of`, displace without `by` its operand; a limb shows the actor's object; an attribute goes, any
-/// other scalar field becomes 0; an entry by name goes with all its uses. Throws Error, and changes nothing, where
-/// nothing stands there or the scene would show nothing.
+/// becomes its operand. Anything else goes with all that is within it, and so does what cannot do without: a transfer
+/// that lost its last STF becomes its operand, a sequence without any goes; an operator or list of displacements with
+/// one operand left becomes that, `transferred` without `by` its `of`, displace without `by` its operand; a limb shows
+/// the actor's object; an attribute goes, any other scalar field becomes 0; an entry by name goes with all its uses.
+/// Throws Error, and changes nothing, where nothing stands there or the scene would show nothing.
 void removeNode(Scene& scene, const NodePath& path);
 
 /// Moves the STF at `path`, an element of a `by` list or of a sequence, to index `to` (clamped) of the same list.

@@ -61,12 +61,12 @@ using NamedPose = std::map<std::string, Vec3>;
 struct ActorRig {
     SceneSkeleton skeleton;
     std::string motion;  // an asset; "" for none. Joints' own rotations are applied on top (before it, in rest axes)
-    std::map<std::string, std::string> motionMap;  // joint → motion's joint ("": none); empty: matched by names
+    std::map<std::string, std::string> motionMap;  // joint → motion's joint ("": none); the others: by names
     std::optional<Placement> motionFit;            // skeleton space from the motion's; nullopt: the identity
     bool inPlace = false;
     bool allDisjoint = false;           // `mode`
     std::vector<std::string> disjoint;  // joints
-    Index3 cells{6, 6, 8};             // of a limb
+    Index3 cells{6, 6, 8};              // of a limb
     double miterLimit = 2;
     bool smooth = true;
     bool preserveVolume = false;

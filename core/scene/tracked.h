@@ -83,8 +83,8 @@ std::vector<double> numbersAtTime(const T& value, const std::vector<PartTrack>& 
     return withTracksAt(numbersOf(value), tracks, t);
 }
 
-/// Puts `numbers` into the keys at t seconds of every track: those there are, or new ones, which go on as the key before
-/// does.
+/// Puts `numbers` into the keys at t seconds of every track: those there are, or new ones, which go on as the key
+/// before does.
 void setKeysAt(std::vector<PartTrack>& tracks, const std::vector<double>& numbers, double t);
 
 /// A T that may have tracks. Reads as a T; assigning a T drops its tracks. Copies share the tracks.

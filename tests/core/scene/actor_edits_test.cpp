@@ -181,7 +181,9 @@ TEST(ActorEdits, TheTableOfJointsIsWrittenOutOnce) {
 }
 
 TEST(ActorEdits, LimbsLeftOutAreWrittenOutBeforeTheyAreEdited) {
-    Scene scene = withActor();
+    Scene scene = sceneOf(R"({"type": "solid", "shape": {"box": {"min": [0, 1.75, 0.75], "max": [8, 2.25, 1.25]}},
+        "color": [1, 1, 1], "opacity": 1})");
+    addActor(scene, kPath, "walker", smallRig());
     editRig(scene, kPath, [](ActorRig& rig) { rig.skeleton.limbs.clear(); });
     const CompiledScene compiled = compile(scene, {}, 0, nullptr);
     ASSERT_EQ(compiled.actors.size(), 1u);

@@ -260,6 +260,20 @@ TEST(CompileActors, SizesLeftOutAreFittedOnceToWhatCanBeSeen) {
     EXPECT_EQ(compile(scene, {}, 1, nullptr).actors.at(0)->limbs, actor.limbs);
 }
 
+TEST(CompileActors, AWrittenSizeChangesNoFittedOne) {
+    const auto scene = [](const std::string& size) {
+        return sceneOf(R"({"type": "actor", "of": )" + kRod + R"(, "skeleton": {)" + kBones +
+                       R"(}, {"name": "c", "parent": "b", "at": [8, 0, 0]}], "limbs": [
+                          {"name": "u", "from": "a", "to": "b")" +
+                       size + R"(}, {"name": "l", "from": "b", "to": "c"}]}})");
+    };
+    const CompiledScene left = compile(scene(""), {}, 0, nullptr);
+    const CompiledScene written = compile(scene(R"(, "size": [0.5, 3], "pad": [1, 1])"), {}, 0, &left);
+    EXPECT_EQ(written.actors.at(0)->limbs.at(1), left.actors.at(0)->limbs.at(1));
+    EXPECT_EQ(written.actors.at(0)->limbs.at(0).size, Vec2(0.5, 3));
+    EXPECT_EQ(written.actors.at(0)->limbs.at(0).pad, Vec2(1, 1));
+}
+
 TEST(CompileActors, TransfersAroundTakeTheBoxOfTheTimelinesStart) {
     const std::string root = transfer(R"({"type": "twist", "axis": "x", "angle": 0})", motionActor());
     const Scene scene = sceneOf(root, kMotionAsset);

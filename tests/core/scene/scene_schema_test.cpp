@@ -286,11 +286,12 @@ TEST(SceneSchema, AcceptsTheExampleOfTheContract) {
     EXPECT_TRUE(judges().theirVerdict(scene));
 }
 
-/// Where any member may stand: maps of names, formula files' parameters, named attributes.
+/// Where any member may stand: maps of names, an actor's joints by name, formula files' parameters, named attributes.
 bool takesAnyMember(const json& object, const json::json_pointer& at) {
     static const std::vector<std::string> maps{"assets", "objects", "transfers", "displacements"};
     if (!at.empty() && at.parent_pointer().empty() && std::find(maps.begin(), maps.end(), at.back()) != maps.end())
         return true;
+    if (!at.empty() && at.back() == "motionMap") return true;
     return (object.contains("type") && (object["type"] == "ripple" || object["type"].is_object()));
 }
 
