@@ -79,6 +79,7 @@ public:
             for (std::size_t k = 0; k < std::min(neighbours[l].size(), kMostMasked); ++k)
                 if (ranks[std::size_t(neighbours[l][k])] < ranks[l]) before |= std::uint64_t(1) << k;
             findRepeated(before, repeated[l]);
+            keepRims(l, repeated[l]);
         }
         return repeated;
     }
@@ -116,6 +117,25 @@ private:
                             common &= inside_[i + row * j + layer * k + corner + side];
                     repeated[cell] = common != 0;
                 }
+    }
+
+    /// Takes those out that touch a cell which is kept: the cells of two limbs agree only as well as they are small, so
+    /// what is drawn of one reaches a cell's width into the other.
+    void keepRims(std::size_t l, std::vector<char>& repeated) const {
+        const std::vector<char> whole = repeated;
+        const Index3 n = grid_.cells;
+        const auto held = [&](const Index3& c) {
+            if (c.z < 0) return in_.links.previous[l] < 0;
+            if (c.z >= n.z) return in_.links.next[l] < 0;
+            if (c.x < 0 || c.y < 0 || c.x >= n.x || c.y >= n.y) return true;
+            return whole[std::size_t(c.x + n.x * (c.y + n.y * c.z))] != 0;
+        };
+        for (int k = 0; k < n.z; ++k)
+            for (int j = 0; j < n.y; ++j)
+                for (int i = 0; i < n.x; ++i)
+                    for (int around = 0; around < 27; ++around)
+                        if (!held({i + around % 3 - 1, j + around / 3 % 3 - 1, k + around / 9 - 1}))
+                            repeated[std::size_t(i + n.x * (j + n.y * k))] = 0;
     }
 
     /// How much limb l has to say at (u, v, w) of its region.

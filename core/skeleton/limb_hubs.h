@@ -35,7 +35,8 @@ std::vector<std::vector<int>> hubNeighbours(const HubLimbs& limbs);
 /// Only overlaps change, and nothing to the bit where rest and pose are equal.
 /// @param sources,deformed  of each limb's whole grid; the second is changed
 /// @return for each limb and each of its cells (x fastest) 1 where a neighbour's region holds all eight corners at
-/// rest, of neighbours that stand before it: those nearer the trunk, then by their joints
+/// rest, and those of all cells around it, of neighbours that stand before it: those nearer the trunk, then by their
+/// joints
 std::vector<std::vector<char>> blendHubs(const HubLimbs& limbs, const LimbGrid& grid,
                                          const std::vector<std::vector<Vec3>>& sources,
                                          std::vector<std::vector<Vec3>>& deformed);

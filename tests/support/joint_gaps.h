@@ -22,9 +22,10 @@ struct JointGaps {
 /// the bevel's cells. What a cell's own face hides from it must be covered by others, without a gap.
 class JointRays {
 public:
-    JointRays(const LimbRegions& regions, const RegionOptions& options)
+    /// @param cells  what covers: the regions' own cells, or what is drawn of them
+    JointRays(const LimbRegions& regions, const RegionOptions& options, MappedCells::Data cells)
         : regions_(regions),
-          cells_(regions.cells),
+          cells_(std::move(cells)),
           layer_(std::size_t(options.cells.x) * std::size_t(options.cells.y)),
           below_(layer_ * std::size_t(options.cells.z - 1)) {}
 
@@ -120,7 +121,7 @@ private:
 
 inline JointGaps gapsAtJoints(const LimbRegions& regions, const std::vector<Limb>& limbs,
                               const std::vector<PosedJoint>& rest, const RegionOptions& options) {
-    return JointRays(regions, options).across(limbs, rest, options.disjoint);
+    return JointRays(regions, options, regions.cells).across(limbs, rest, options.disjoint);
 }
 
 }  // namespace voledit
