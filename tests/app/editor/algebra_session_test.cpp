@@ -188,8 +188,8 @@ TEST_F(AlgebraSessionTest, TimeIsScrubbedOnlyWhereSomethingChangesOverIt) {
     play(session, "do timeline.goto 1\nframe\n");
     EXPECT_EQ(state(session)["time"], 1);
     EXPECT_EQ(session.editor().workspace().compiled.root->bounds, (Box3{Vec3(-2), Vec3(2)}));
-    play(session, "click @widget(\"Timeline/Time\")\nframe\n");
-    EXPECT_NEAR(state(session)["time"], 1, 0.02);
+    play(session, "click @widget(\"Timeline/Time\")\npress Escape\nframe\n");  // a field to type in, left again
+    EXPECT_EQ(state(session)["time"], 1);
     play(session, "do timeline.end\nframe\n");
     EXPECT_EQ(state(session)["time"], 2);
     play(session, "do timeline.start\nframe\n");
