@@ -17,7 +17,7 @@ namespace voledit {
 namespace {
 
 /// Opacity from which on a voxel counts when regions are fitted: all that can be seen.
-constexpr double kFittedOpacity = 0.05;
+constexpr double kFittedOpacity = 0.02;
 
 Mat4 objectFromSkeletonOf(const Placement& fit) {
     const Mat4 result = worldFromRest(fit);

@@ -5,6 +5,7 @@
 #include "app/editor/timeline/dope_rows.h"
 #include "app/editor/timeline/key_move.h"
 #include "app/editor/timeline/timeline_actions.h"
+#include "app/editor/tools/joint_edits.h"
 #include "core/base/error.h"
 #include "core/scene/actor_edits.h"
 #include "core/scene/edits.h"
@@ -32,10 +33,32 @@ std::vector<KeyRef> keysAt(const Scene& scene, const std::vector<ValuePath>& val
     return keys;
 }
 
+/// The selected joints, and those above them that inverse kinematics turns with them, where they are posed or have
+/// keys.
+std::vector<std::string> jointsToKey(const Workspace& workspace, const NodePath& actor) {
+    std::vector<std::string> names = workspace.selection.joints;
+    const auto& actors = workspace.compiled.actors;
+    const auto at = std::find_if(actors.begin(), actors.end(), [&](const auto& a) { return a->path == actor; });
+    if (at == actors.end()) return names;
+    const Skeleton& skeleton = (*at)->skeleton;
+    const NamedPose pose = poseOf(workspace.document.scene(), actor, workspace.time);
+    for (const std::string& name : workspace.selection.joints) {
+        int joint = skeleton.find(name);
+        const auto said = workspace.actors.chains.find(name);
+        int chain = joint < 0 ? 0 : said != workspace.actors.chains.end() ? said->second : usualChain(skeleton, joint);
+        for (; chain > 0 && (joint = skeleton.joints[std::size_t(joint)].parent) >= 0; --chain) {
+            const std::string& above = skeleton.joints[std::size_t(joint)].name;
+            if (pose.contains(above) && std::find(names.begin(), names.end(), above) == names.end())
+                names.push_back(above);
+        }
+    }
+    return names;
+}
+
 std::vector<ValuePath> jointValues(const Workspace& workspace, const NodePath& actor) {
     std::vector<ValuePath> values;
     const std::vector<KeyableValue> all = valuesOf(workspace.document.scene(), actor);
-    for (const std::string& joint : workspace.selection.joints)
+    for (const std::string& joint : jointsToKey(workspace, actor))
         for (const KeyableValue& value : all)
             if (endsWith(value.path, "/" + pointerToken(joint) + "/rotate") ||
                 (value.animated && endsWith(value.path, "/" + pointerToken(joint) + "/translate")))
@@ -88,13 +111,14 @@ void insertSelectedKeys(Workspace& workspace) {
     const When key{t, true};
     if (selection.joints.empty() && selection.points.empty())
         return insertKeys(workspace, selectedValues(workspace), t);
-    const std::size_t count = selection.joints.empty() ? selection.points.size() : selection.joints.size();
-    workspace.document.apply(keyStep("Insert", count), [&](Scene& scene) {
+    const NodePath actor = followedUse(workspace.document.scene(), selection.node);
+    const std::vector<std::string> joints =
+        selection.joints.empty() ? std::vector<std::string>{} : jointsToKey(workspace, actor);
+    workspace.document.apply(keyStep("Insert", std::max(joints.size(), selection.points.size())), [&](Scene& scene) {
         if (selection.joints.empty())
             return moveControlPoints(scene, selection.lattice, selection.points, Vec3(0), key);
-        const NodePath actor = followedUse(scene, selection.node);
         const NamedPose pose = poseOf(scene, actor, t);
-        for (const std::string& joint : selection.joints) {
+        for (const std::string& joint : joints) {
             const auto own = pose.find(joint);
             setJointRotation(scene, actor, joint, own == pose.end() ? Quat(1, 0, 0, 0) : quatOfDegrees(own->second),
                              key);

@@ -7,6 +7,7 @@
 #include "app/editor/session.h"
 #include "app/editor/state_json.h"
 #include "core/base/error.h"
+#include "core/scene/keys.h"
 #include "tests/app/editor/actor_rig.h"
 #include "tests/support/fixtures.h"
 
@@ -278,6 +279,10 @@ TEST_F(ActorSessionTest, AnObjectIsRiggedAndAMotionWalksIt) {
     EXPECT_GT(glm::distance(test::jointIn(workspace(session), "LeftHand"), hand), 0.5);
     play(session, "drag @joint(LeftHand) to @joint(LeftHand)+-10,-30\nframe 2\n");
     EXPECT_EQ(state(session)["undo"].back(), "Pose LeftHand");
+    // A key on the hand is one on the arm that was dragged with it.
+    play(session, "press I\nframe 2\n");
+    EXPECT_EQ(state(session)["undo"].back(), "Insert 3 keys");
+    EXPECT_EQ(animatedValues(workspace(session).document.scene()).size(), 3u);
     // What was built opens again.
     play(session, "do file.save-as " + (folder / "walker.voledit").string() + "\nframe\n");
     options.file = folder / "walker.voledit";
