@@ -1,7 +1,6 @@
 #include "app/animation/child_process.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/spawn_settings.h"
 
 namespace voledit {
 
@@ -31,37 +31,6 @@ Pipe makePipe() {
         throw Error("a pipe cannot be made (" + std::string(std::strerror(errno)) + "); close other programs");
     return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
-
-/// What posix_spawn is told, released with it.
-class SpawnSettings {
-public:
-    SpawnSettings(int in, int out, int err) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_adddup2(&actions_, in, STDIN_FILENO);
-        posix_spawn_file_actions_adddup2(&actions_, out, STDOUT_FILENO);
-        if (err >= 0) posix_spawn_file_actions_adddup2(&actions_, err, STDERR_FILENO);
-        posix_spawnattr_init(&attributes_);
-        sigset_t none, all;
-        sigemptyset(&none);
-        sigfillset(&all);
-        posix_spawnattr_setsigmask(&attributes_, &none);
-        posix_spawnattr_setsigdefault(&attributes_, &all);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    }
-    ~SpawnSettings() {
-        posix_spawn_file_actions_destroy(&actions_);
-        posix_spawnattr_destroy(&attributes_);
-    }
-    SpawnSettings(const SpawnSettings&) = delete;
-    SpawnSettings& operator=(const SpawnSettings&) = delete;
-
-    const posix_spawn_file_actions_t* actions() const { return &actions_; }
-    const posix_spawnattr_t* attributes() const { return &attributes_; }
-
-private:
-    posix_spawn_file_actions_t actions_;
-    posix_spawnattr_t attributes_;
-};
 
 std::vector<char*> pointersTo(std::vector<std::string>& words) {
     std::vector<char*> pointers;
@@ -88,7 +57,10 @@ std::vector<std::string> environmentWith(const std::vector<std::string>& changes
 ChildProcess::ChildProcess(const Settings& settings) {
     Pipe in = makePipe(), out = makePipe();
     if (settings.keepErrors) errors_ = FileDescriptor(memfd_create("voledit-errors", MFD_CLOEXEC));
-    const SpawnSettings spawn(in.read.get(), out.write.get(), errors_.get());
+    SpawnSettings spawn;
+    spawn.pass(in.read.get(), STDIN_FILENO);
+    spawn.pass(out.write.get(), STDOUT_FILENO);
+    if (errors_.get() >= 0) spawn.pass(errors_.get(), STDERR_FILENO);
     std::vector<std::string> command = settings.command, environment = environmentWith(settings.environment);
     const int failed = posix_spawnp(&pid_, command.front().c_str(), spawn.actions(), spawn.attributes(),
                                     pointersTo(command).data(), pointersTo(environment).data());

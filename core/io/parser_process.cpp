@@ -1,18 +1,19 @@
 #include "core/io/parser_process.h"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <thread>
 
 #include "core/base/error.h"
+#include "core/base/spawn_settings.h"
 
 namespace voledit {
 
@@ -20,44 +21,21 @@ namespace {
 
 constexpr int kSocketInChild = 3;
 
-/// What the child starts with: its socket, silent standard streams (a library's chatter must not reach our standard
-/// output), default signals, and a process group of its own so that Ctrl-C reaches only us, who then decide.
-class SpawnSettings {
-public:
-    explicit SpawnSettings(int socket) {
-        posix_spawn_file_actions_init(&actions_);
-        posix_spawn_file_actions_adddup2(&actions_, socket, kSocketInChild);
-        posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions_, 1, "/dev/null", O_WRONLY, 0);
-        if (!std::getenv("VOLEDIT_IO_STDERR")) posix_spawn_file_actions_addopen(&actions_, 2, "/dev/null", O_WRONLY, 0);
-        posix_spawnattr_init(&attributes_);
-        sigset_t none, all;
-        sigemptyset(&none);
-        sigfillset(&all);
-        posix_spawnattr_setsigmask(&attributes_, &none);
-        posix_spawnattr_setsigdefault(&attributes_, &all);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    }
-    ~SpawnSettings() {
-        posix_spawn_file_actions_destroy(&actions_);
-        posix_spawnattr_destroy(&attributes_);
-    }
-    SpawnSettings(const SpawnSettings&) = delete;
-    SpawnSettings& operator=(const SpawnSettings&) = delete;
-
-    const posix_spawn_file_actions_t* actions() const { return &actions_; }
-    const posix_spawnattr_t* attributes() const { return &attributes_; }
-
-private:
-    posix_spawn_file_actions_t actions_;
-    posix_spawnattr_t attributes_;
-};
+/// The child starts with its socket and silent standard streams: a library's chatter must not reach our standard
+/// output, which carries results. VOLEDIT_IO_STDERR lets its errors through.
+void pass(SpawnSettings& settings, int socket) {
+    settings.pass(socket, kSocketInChild);
+    settings.passNothing(STDIN_FILENO, O_RDONLY);
+    settings.passNothing(STDOUT_FILENO, O_WRONLY);
+    if (!std::getenv("VOLEDIT_IO_STDERR")) settings.passNothing(STDERR_FILENO, O_WRONLY);
+}
 
 }  // namespace
 
 ParserProcess::ParserProcess(const std::filesystem::path& program) {
     auto [ours, theirs] = makeChannel();
-    const SpawnSettings settings(theirs.get());
+    SpawnSettings settings;
+    pass(settings, theirs.get());
     std::string name = program.string(), parent = std::to_string(getpid());
     char* arguments[] = {name.data(), parent.data(), nullptr};
     const int failed = posix_spawn(&pid_, name.c_str(), settings.actions(), settings.attributes(), arguments, environ);
