@@ -43,8 +43,8 @@ std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::str
 Camera orbited(const Camera& camera, double degrees);
 
 /// Moves one control point of the outermost lattice (or the first number of an outermost STF of another kind, or the
-/// skeleton of an actor that is the root) by `length`, world units: the edit that `--time-edits` and `bench` time. Throws
-/// Error where the root has no transfer.
+/// skeleton of an actor that is the root) by `length`, world units: the edit that `--time-edits` and `bench` time.
+/// Throws Error where the root has no transfer.
 void nudgeOutermost(Scene& scene, double length);
 
 /// Milliseconds since this process started, and its largest resident set so far in MiB.

@@ -32,8 +32,8 @@ bool isSceneFile(const std::filesystem::path& path);
 OpenedScene openFile(IoClient& io, const std::filesystem::path& path, const OpenOptions& options,
                      Progress* progress = nullptr);
 
-/// Reads the volumes, meshes and motions of `scene`'s assets, each file once, and the formula files that its STFs name. Appends
-/// warnings. Throws Error that names the asset or the formula file.
+/// Reads the volumes, meshes and motions of `scene`'s assets, each file once, and the formula files that its STFs name.
+/// Appends warnings. Throws Error that names the asset or the formula file.
 LoadedAssets readAssets(IoClient& io, const Scene& scene, const std::filesystem::path& folder,
                         const OpenOptions& options, std::vector<std::string>& warnings, Progress* progress = nullptr);
 

@@ -57,7 +57,7 @@ TEST(ImageByDisplacement, GrowsByTheLargestDisplacementOfWhatIsCarriedIn) {
         const Box3 image = imageByDisplacement(*map, kRest, kRest);
         const double reach = image.max.x - kRest.max.x;
         EXPECT_GE(reach, largest) << name;
-    EXPECT_LT(reach, 1.15 * largest) << name << ", " << largest;
+        EXPECT_LT(reach, 1.15 * largest) << name << ", " << largest;
         EXPECT_NEAR(kRest.min.z - image.min.z, reach, 1e-12) << "on all sides";
     }
 }
