@@ -1,10 +1,35 @@
 #include "render/slice_resources.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "render/cell_buffers.h"
 
 namespace voledit {
+
+namespace {
+
+/// 1 for cells that overlap no other, and whose source changes along a slab so little that it may be followed by the
+/// Jacobian: a cell that is nearly flat would be taken far beyond itself.
+std::vector<char> completeCells(const MappedCells& cells) {
+    constexpr double kSteepest = 3;
+    std::vector<char> steep(cells.deformed().size());
+    for (std::size_t v = 0; v < steep.size(); ++v) {
+        const Mat3& j = cells.jacobians()[v];
+        steep[v] = std::max({glm::length(j[0]), glm::length(j[1]), glm::length(j[2])}) > kSteepest;
+    }
+    const auto overlapping = cells.overlapping();
+    std::vector<char> complete(cells.cellCount());
+    for (std::size_t c = 0; c < complete.size(); ++c) {
+        const auto vertices = cells.cellVertices(c);
+        complete[c] = !overlapping[c] &&
+                      std::none_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return steep[v] != 0; });
+    }
+    return complete;
+}
+
+}  // namespace
 
 void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
     prepareVolume(*plan.volume);
@@ -99,10 +124,9 @@ void SliceResources::prepareMesh(const SlicePlan& plan, const CullRequest& cull)
     Meshes made{source, source != nullptr, plan.worldFromDeformed, plan.indexFromSource, cull, {}, {}, {}};
     std::vector<char> wanted;
     if (cull.separate) {
-        const auto overlapping = source->cells()->overlapping();
-        for (const char overlaps : overlapping) wanted.push_back(!overlaps);
+        wanted = completeCells(*source->cells());
         made.alone = cellsOf(plan, cull, wanted);
-        wanted.assign(overlapping.begin(), overlapping.end());
+        for (char& cell : wanted) cell = !cell;
     }
     made.mesh = cellsOf(plan, cull, wanted);
     if (source && source->outside() == Outside::Keep) made.uncovered = uncoveredOf(plan, cull);

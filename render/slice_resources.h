@@ -18,7 +18,7 @@ namespace voledit {
 struct CullRequest {
     bool bricks = true, cells = true;  // leave out what cannot be seen
     double slab = 0;                   // extent of a slab along a ray at most, world units
-    bool separate = false;             // cells that overlap no other become a mesh of their own
+    bool separate = false;             // cells whose fragments are complete become a mesh of their own
 
     bool operator==(const CullRequest&) const = default;
 };
@@ -37,7 +37,8 @@ public:
     Mat4 entryFromSource() const { return located_ ? located_->entryFromSource : mesh_->indexFromSource; }
     /// The outermost forward map's cells; without one, the volume's bricks.
     const CellMesh& mesh() const { return mesh_->mesh; }
-    /// Those of the cells that overlap no other, where `CullRequest::separate` asked; `mesh` then holds the others.
+    /// Those of the cells that overlap no other and are not nearly flat, where `CullRequest::separate` asked; `mesh`
+    /// then holds the others.
     const CellMesh* alone() const { return mesh_->alone ? &*mesh_->alone : nullptr; }
     /// Bricks of the operand where it stands, for a map that keeps what is outside its cells; else null.
     const CellMesh* uncovered() const { return mesh_->uncovered ? &*mesh_->uncovered : nullptr; }
