@@ -84,15 +84,6 @@ void say(const FoundRig& found, Verbosity verbosity) {
         std::cerr << "voledit:   " << found.rig.limbs[l].name << ": " << c.ofLimb[l] << " voxels\n";
 }
 
-/// From the body's front, upright, so that all of it is seen.
-Camera facing(const Box3& bounds, const BodyFrame& frame) {
-    const Camera fitting = fittingCamera(bounds, 4.0 / 3.0);
-    Camera camera = fitting;
-    camera.eye = fitting.target + glm::length(fitting.eye - fitting.target) * frame.axes[2];
-    camera.up = frame.axes[1];
-    return camera;
-}
-
 void addMotion(IoClient& io, OpenedScene& opened, const NodePath& actor, const fs::path& file) {
     const MotionFile read = io.readMotion(file);
     printWarnings(read.warnings);
@@ -122,7 +113,8 @@ int rig(const RigArguments& a, const CommonArguments& common) {
                  [&](Progress* progress) { found = findRig(*compiled.root, a, progress); });
     Scene& scene = opened.scene;
     const NodePath actor = addActor(scene, kRootPath, "Actor", found.rig);
-    if (!scene.camera && found.like != RigTemplate::Chain) setCamera(scene, facing(compiled.root->bounds, found.frame));
+    if (!scene.camera && found.like != RigTemplate::Chain)
+        setCamera(scene, fittingCamera(compiled.root->bounds, 4.0 / 3.0, found.frame.axes[2], found.frame.axes[1]));
     if (!a.motion.empty()) addMotion(io, opened, actor, a.motion);
     saveScene(withDefaultsWrittenOut(scene, opened.assets), a.output, opened.folder);
     if (!a.report.empty()) writeTextFile(a.report, reportOf(found).dump(2) + "\n");

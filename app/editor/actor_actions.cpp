@@ -1,11 +1,14 @@
 #include "app/editor/actor_actions.h"
 
+#include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/editor/actor_analysis.h"
 #include "app/editor/node_actions.h"
 #include "core/base/error.h"
+#include "core/rigging/body_frame.h"
 #include "core/scene/compile.h"
 
 namespace voledit {
@@ -57,6 +60,13 @@ NodePath putRig(Scene& scene, const NodePath& object, const Rig& rig) {
     return object;
 }
 
+/// A body that lies in the view is looked at from its front, upright: scans and models have their own ideas of up.
+void faceBody(Workspace& workspace, const Term& term, const BodyFrame& frame) {
+    if (std::abs(glm::dot(basisOf(workspace.camera).up, frame.axes[1])) > 0.7) return;
+    const double aspect = double(workspace.viewSize.x) / workspace.viewSize.y;
+    workspace.camera = fittingCamera(term.bounds, aspect, frame.axes[2], frame.axes[1]);
+}
+
 void finishRig(Workspace& workspace, const Scene& before, const NodePath& object, const Rig& rig,
                const Coverage& coverage) {
     if (!(workspace.document.committed() == before))
@@ -79,10 +89,14 @@ void rigAction(Workspace& workspace, Background& background, const std::string& 
                          const OpaqueVoxels voxels = opaqueVoxels(*term, kOpaque, 256, nullptr);
                          report(&progress, 0.4);
                          Rig rig = fittedRig(voxels, kind);
+                         const BodyFrame frame = bodyFrame(voxels, kind == RigTemplate::Quadruped);
+                         const bool face = kind != RigTemplate::Chain && object == kRootPath;
                          report(&progress, 0.9);
                          Coverage coverage = coverageOf(voxels, rig.limbs, restOf(rig.skeleton), {});
-                         return [&workspace, before, object, rig = std::move(rig), coverage = std::move(coverage)] {
+                         return [&workspace, before, object, term, frame, face, rig = std::move(rig),
+                                 coverage = std::move(coverage)] {
                              finishRig(workspace, before, object, rig, coverage);
+                             if (face) faceBody(workspace, *term, frame);
                          };
                      });
 }

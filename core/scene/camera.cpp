@@ -62,4 +62,11 @@ Camera fittingCamera(const Box3& bounds, double aspect) {
     return camera;
 }
 
+Camera fittingCamera(const Box3& bounds, double aspect, const Vec3& front, const Vec3& up) {
+    Camera camera = fittingCamera(bounds, aspect);
+    camera.eye = camera.target + glm::length(camera.eye - camera.target) * front;
+    camera.up = up;
+    return camera;
+}
+
 }  // namespace voledit

@@ -35,6 +35,9 @@ Vec3 project(const Camera& camera, Index2 size, const Vec3& world);
 /// The default camera: from the front (eye at −y, +z up), fovY 30, fitting the bounding sphere of `bounds` in a
 /// picture of width/height `aspect` (scene-format.md §1).
 Camera fittingCamera(const Box3& bounds, double aspect);
+/// The same from another side: `front` points from what is seen towards the eye, `up` upwards, both unit and at right
+/// angles.
+Camera fittingCamera(const Box3& bounds, double aspect, const Vec3& front, const Vec3& up);
 
 struct RenderSettings {
     Vec3 background{0};
