@@ -39,13 +39,26 @@ Camera fittingCamera(const Box3& bounds, double aspect);
 /// angles.
 Camera fittingCamera(const Box3& bounds, double aspect, const Vec3& front, const Vec3& up);
 
+/// Lights that move with the camera: one from the eye; key, fill and rim lights in three moods.
+enum class LightRig : std::uint8_t { Headlight, KeyFillRim, Soft, Dramatic };
+
+/// What becomes of composited colours: kept, or a filmic curve on linear light.
+enum class ToneMapping : std::uint8_t { None, Filmic };
+
 struct RenderSettings {
     Vec3 background{0};
     double step = 0.5;  // units of the smallest spacing
     bool shading = true;
     double ambient = 0.3, diffuse = 0.7, specular = 0.2, shininess = 20;
-    /// Direction from the surface towards the light, world space; nullopt: headlight (towards the eye).
+    /// Direction from the surface towards the one light, world space; nullopt: `rig`.
     std::optional<Vec3> light;
+    LightRig rig = LightRig::Headlight;
+    double shadows = 0;            // how much of the first light its shadows take, 0 (none are computed) … 1
+    double occlusion = 0;          // how much of the ambient light surroundings take, 0 (not computed) … 1
+    double occlusionRadius = 0.1;  // how far surroundings count, of the diagonal of the root's box
+    ToneMapping toneMapping = ToneMapping::None;
+    double exposure = 0;       // stops: linear light times 2^exposure, before the tone mapping
+    bool transparent = false;  // pictures keep their alpha; the background is left out
 
     bool operator==(const RenderSettings&) const = default;
 };

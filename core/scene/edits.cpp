@@ -184,6 +184,13 @@ void setRenderSettings(Scene& scene, const RenderSettings& settings, const When&
     setUnlessEqual(render.diffuse, settings.diffuse, when);
     setUnlessEqual(render.specular, settings.specular, when);
     setUnlessEqual(render.shininess, settings.shininess, when);
+    render.rig = settings.rig;
+    setUnlessEqual(render.shadows, settings.shadows, when);
+    setUnlessEqual(render.occlusion, settings.occlusion, when);
+    setUnlessEqual(render.occlusionRadius, settings.occlusionRadius, when);
+    render.toneMapping = settings.toneMapping;
+    setUnlessEqual(render.exposure, settings.exposure, when);
+    render.transparent = settings.transparent;
     if (!settings.light)
         render.light.reset();
     else if (!render.light)

@@ -264,6 +264,10 @@ void visitTrackedSettings(SceneType& scene, const Visit& visit) {
     visit(settings.in("specular"), render.specular);
     visit(settings.in("shininess"), render.shininess);
     if (render.light) visit(settings.in("light"), *render.light);
+    visit(settings.in("shadows"), render.shadows);
+    visit(settings.in("occlusion"), render.occlusion);
+    visit(settings.in("occlusionRadius"), render.occlusionRadius);
+    visit(settings.in("exposure"), render.exposure);
 }
 
 // ---- Changing what is shared --------------------------------------------------------------------------------------

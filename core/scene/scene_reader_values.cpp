@@ -50,6 +50,14 @@ std::string atTime(double t) {
     return " at " + number + " s";
 }
 
+/// The rig of a name that the schema allows.
+LightRig rigNamed(const std::string& name) {
+    return name == "key-fill-rim" ? LightRig::KeyFillRim
+           : name == "soft"       ? LightRig::Soft
+           : name == "dramatic"   ? LightRig::Dramatic
+                                  : LightRig::Headlight;
+}
+
 }  // namespace
 
 Tracked<Vec3> SceneReader::direction(const JsonView& view) const {
@@ -170,7 +178,20 @@ TrackedRender SceneReader::renderSettings(const JsonView& view) const {
     if (view.has("diffuse")) settings.diffuse = number(view["diffuse"]);
     if (view.has("specular")) settings.specular = number(view["specular"]);
     if (view.has("shininess")) settings.shininess = number(view["shininess"]);
-    if (view.has("light") && !view.value["light"].is_string()) settings.light = direction(view["light"]);
+    if (view.has("light")) {
+        if (view.value["light"].is_string())
+            settings.rig = rigNamed(view.value["light"].get<std::string>());
+        else
+            settings.light = direction(view["light"]);
+    }
+    if (view.has("shadows")) settings.shadows = number(view["shadows"]);
+    if (view.has("occlusion")) settings.occlusion = number(view["occlusion"]);
+    if (view.has("occlusionRadius")) settings.occlusionRadius = number(view["occlusionRadius"]);
+    if (view.has("toneMapping"))
+        settings.toneMapping =
+            view["toneMapping"].value.get<std::string>() == "filmic" ? ToneMapping::Filmic : ToneMapping::None;
+    if (view.has("exposure")) settings.exposure = number(view["exposure"]);
+    if (view.has("transparent")) settings.transparent = view["transparent"].value.get<bool>();
     return settings;
 }
 

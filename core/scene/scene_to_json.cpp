@@ -129,14 +129,30 @@ ordered_json toJson(const TrackedCamera& camera) {
 }
 
 ordered_json toJson(const TrackedRender& settings) {
-    return {{"background", toJson(settings.background)},
-            {"step", toJson(settings.step)},
-            {"shading", settings.shading},
-            {"ambient", toJson(settings.ambient)},
-            {"diffuse", toJson(settings.diffuse)},
-            {"specular", toJson(settings.specular)},
-            {"shininess", toJson(settings.shininess)},
-            {"light", settings.light ? toJson(*settings.light) : ordered_json("headlight")}};
+    static constexpr const char* rigs[] = {"headlight", "key-fill-rim", "soft", "dramatic"};
+    static constexpr const char* toneMappings[] = {"none", "filmic"};
+    const TrackedRender usual;
+    ordered_json json{
+        {"background", toJson(settings.background)},
+        {"step", toJson(settings.step)},
+        {"shading", settings.shading},
+        {"ambient", toJson(settings.ambient)},
+        {"diffuse", toJson(settings.diffuse)},
+        {"specular", toJson(settings.specular)},
+        {"shininess", toJson(settings.shininess)},
+        {"light", settings.light ? toJson(*settings.light) : ordered_json(rigs[std::size_t(settings.rig)])}};
+    // Only what differs from the defaults: earlier programs know none of these.
+    const auto add = [&](const char* member, const auto& value, const auto& ofUsual) {
+        if (value != ofUsual) json[member] = toJson(value);
+    };
+    add("shadows", settings.shadows, usual.shadows);
+    add("occlusion", settings.occlusion, usual.occlusion);
+    add("occlusionRadius", settings.occlusionRadius, usual.occlusionRadius);
+    if (settings.toneMapping != usual.toneMapping)
+        json["toneMapping"] = toneMappings[std::size_t(settings.toneMapping)];
+    add("exposure", settings.exposure, usual.exposure);
+    if (settings.transparent) json["transparent"] = true;
+    return json;
 }
 
 /// A map of named values (plain or shared) under `member`, unless it is empty.

@@ -62,7 +62,14 @@ TrackedRender::TrackedRender(const RenderSettings& settings)
       ambient(settings.ambient),
       diffuse(settings.diffuse),
       specular(settings.specular),
-      shininess(settings.shininess) {
+      shininess(settings.shininess),
+      rig(settings.rig),
+      shadows(settings.shadows),
+      occlusion(settings.occlusion),
+      occlusionRadius(settings.occlusionRadius),
+      toneMapping(settings.toneMapping),
+      exposure(settings.exposure),
+      transparent(settings.transparent) {
     if (settings.light) light = *settings.light;
 }
 
@@ -76,6 +83,13 @@ TrackedRender::operator RenderSettings() const {
     settings.specular = specular;
     settings.shininess = shininess;
     if (light) settings.light = **light;
+    settings.rig = rig;
+    settings.shadows = shadows;
+    settings.occlusion = occlusion;
+    settings.occlusionRadius = occlusionRadius;
+    settings.toneMapping = toneMapping;
+    settings.exposure = exposure;
+    settings.transparent = transparent;
     return settings;
 }
 

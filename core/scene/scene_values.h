@@ -87,6 +87,11 @@ struct TrackedRender {
     bool shading;
     Tracked<double> ambient, diffuse, specular, shininess;
     std::optional<Tracked<Vec3>> light;
+    LightRig rig;
+    Tracked<double> shadows, occlusion, occlusionRadius;
+    ToneMapping toneMapping;
+    Tracked<double> exposure;
+    bool transparent;
 
     TrackedRender(const RenderSettings& settings = {});  // NOLINT: implicit, as values are
     bool operator==(const TrackedRender&) const = default;

@@ -7,6 +7,7 @@
 #include "render/gl_objects.h"
 #include "render/shader_library.h"
 #include "tests/render/render_fixtures.h"
+#include "tests/support/fixtures.h"
 #include "tests/support/formula_oracle.h"
 #include "tests/support/random_formulas.h"
 
@@ -20,7 +21,7 @@ constexpr int kTogether = 25;  // formulas in one program: drivers take longer t
 
 /// A compute program that evaluates all of `graphs` at kPoints points.
 Program compiled(const std::vector<FormulaGraph>& graphs) {
-    const auto library = loadShader(std::filesystem::path(VOLEDIT_TESTS) / "../shaders", "common/formula.glsl", {});
+    const auto library = loadShader(fixture("../shaders"), "common/formula.glsl", {});
     std::string text =
         "#version 450 core\n"
         "layout(local_size_x = " +
