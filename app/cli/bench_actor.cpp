@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/bench_measure.h"
 #include "core/eval/term_path.h"
 #include "core/eval/voxelise.h"
 
@@ -11,11 +12,6 @@ namespace voledit {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double median(std::vector<double> times) {
-    std::nth_element(times.begin(), times.begin() + std::ptrdiff_t(times.size() / 2), times.end());
-    return times[times.size() / 2];
-}
 
 /// The volume that a program without deformations would make for this frame: scalars on cubes of the source's
 /// smallest spacing over the root's box.
@@ -56,14 +52,14 @@ Json benchPlaying(Drawing& drawing, const OpenedScene& opened, Index2 size, int 
         resampled.push_back(voxelising.back() + millisecondsOf([&] { drawing.draw(copy, size, nullptr); }));
     }
     Json json = {{"frames", frames},
-                 {"compile_ms", median(compiling)},
-                 {"draw_ms", median(drawn)},
-                 {"frame_ms", median(direct)},
-                 {"frames_per_second", 1000 / median(direct)}};
+                 {"compile_ms", medianOf(compiling)},
+                 {"draw_ms", medianOf(drawn)},
+                 {"frame_ms", medianOf(direct)},
+                 {"frames_per_second", 1000 / medianOf(direct)}};
     if (volume) {
-        json["voxelise_ms"] = median(voxelising);
-        json["revoxelised_frame_ms"] = median(resampled);
-        json["revoxelised_over_direct"] = median(resampled) / median(direct);
+        json["voxelise_ms"] = medianOf(voxelising);
+        json["revoxelised_frame_ms"] = medianOf(resampled);
+        json["revoxelised_over_direct"] = medianOf(resampled) / medianOf(direct);
     }
     return json;
 }

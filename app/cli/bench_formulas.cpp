@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "app/cli/bench_measure.h"
 #include "app/cli/drawing.h"
 #include "core/stf/transfer_definition.h"
 
@@ -59,11 +60,6 @@ TransferPtr byFormula(const std::string& name, std::map<std::string, TransferArg
     return libraryTransfer(name)->make({std::move(arguments), frameOf(kBox), Outside::Hide, 1, 0});
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 }  // namespace
 
 nlohmann::ordered_json benchFormulas(int repeats) {
@@ -95,8 +91,9 @@ nlohmann::ordered_json benchFormulas(int repeats) {
             code.push_back(double(p.size()) / d / 1000);
             ratio.push_back(f / d);
         }
-        json[c.name] = {
-            {"formula_mpoints_per_s", median(formula)}, {"code_mpoints_per_s", median(code)}, {"ratio", median(ratio)}};
+        json[c.name] = {{"formula_mpoints_per_s", medianOf(formula)},
+                        {"code_mpoints_per_s", medianOf(code)},
+                        {"ratio", medianOf(ratio)}};
     }
     return json;
 }

@@ -36,6 +36,21 @@ private:
     RayStatistics rays_;
 };
 
+/// The oracle: plain rays in double precision.
+class ReferenceDrawing final : public Drawing {
+public:
+    Picture draw(const CompiledScene& scene, Index2 size, Progress* progress) override {
+        rays_ = {};
+        return castRays(scene, size, &rays_, progress);
+    }
+    DrawStatistics statistics() const override { return {.slices = 0, .samples = rays_.samples, .cells = 0}; }
+    std::string renderer() const override { return "reference"; }
+    std::string gl() const override { return ""; }
+
+private:
+    RayStatistics rays_;
+};
+
 class SliceDrawing final : public Drawing {
 public:
     SliceDrawing(GlBackend backend, bool orRays)
@@ -87,8 +102,8 @@ Transfer* outermost(Scene& scene, ObjectRef& object) {
 }  // namespace
 
 void checkDrawingNames(const std::string& renderer, const std::string& gl) {
-    if (!renderer.empty() && renderer != "slices" && renderer != "rays")
-        throw UsageError("--renderer " + renderer + ": there are slices and rays");
+    if (!renderer.empty() && renderer != "slices" && renderer != "rays" && renderer != "reference")
+        throw UsageError("--renderer " + renderer + ": there are slices, rays and reference");
     if (gl != "auto" && gl != "egl" && gl != "osmesa")
         throw UsageError("--gl " + gl + ": there are auto, egl and osmesa");
 }
@@ -96,6 +111,7 @@ void checkDrawingNames(const std::string& renderer, const std::string& gl) {
 std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::string& gl) {
     checkDrawingNames(renderer, gl);
     if (renderer == "rays") return std::make_unique<RayDrawing>();
+    if (renderer == "reference") return std::make_unique<ReferenceDrawing>();
     const GlBackend backend = gl == "egl" ? GlBackend::Egl : gl == "osmesa" ? GlBackend::Osmesa : GlBackend::Auto;
     return std::make_unique<SliceDrawing>(backend, renderer.empty());
 }

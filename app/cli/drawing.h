@@ -24,7 +24,7 @@ public:
     /// A finished picture, background under it. Throws Error, Cancelled.
     virtual Picture draw(const CompiledScene& scene, Index2 size, Progress* progress) = 0;
     virtual DrawStatistics statistics() const = 0;
-    /// "slices" or "rays".
+    /// "slices", "rays" or "reference".
     virtual std::string renderer() const = 0;
     /// "egl", "osmesa", or "" for rays.
     virtual std::string gl() const = 0;
@@ -33,7 +33,8 @@ public:
 /// Throws UsageError for words that name no renderer or no way to OpenGL.
 void checkDrawingNames(const std::string& renderer, const std::string& gl);
 
-/// @param renderer  "slices", "rays", or "" for slices that leave a term which they cannot draw to rays, with a
+/// @param renderer  "slices", "rays", "reference" (plain rays in double precision: slow, what others are measured
+/// against), or "" for slices that leave a term which they cannot draw to rays, with a
 /// warning, once; which of the two draws a picture depends on that picture's term alone;
 /// @param gl  "auto", "egl" or "osmesa". Throws UsageError for other words, Error
 /// where the context cannot be made.

@@ -21,7 +21,8 @@ void PictureArguments::applyTo(Scene& scene) const {
 
 void addPictureArguments(CLI::App& command, PictureArguments& a) {
     command.add_option("--size", a.size, "Width and height in pixels")->capture_default_str()->type_name("WxH");
-    command.add_option("--renderer", a.renderer, "slices (OpenGL, the default) or rays (CPU)");
+    command.add_option("--renderer", a.renderer,
+                       "slices (OpenGL, the default), rays (CPU), or reference (CPU, double precision, slow)");
     command.add_option("--step", a.step, "Distance of samples in units of the smallest spacing")->type_name("F");
     command.add_option("--camera", a.camera, "JSON file with eye, target, up, fovY")->type_name("FILE");
     command.add_option("--gl", a.gl, "osmesa, egl or auto")->capture_default_str();

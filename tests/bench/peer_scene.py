@@ -1,9 +1,10 @@
 """Writes the scene that the peers' benchmarks draw (shared/bench/peers/peers_common.py) as a voledit scene.
 
-    python3 peer_scene.py PEERS_FOLDER VOLUME.nrrd OUT.voledit [--shade] [--rest]
+    python3 peer_scene.py PEERS_FOLDER VOLUME.nrrd OUT.voledit [--shade] [--rest | --deep] [--cells N]
 
 The lattice is a 4x4x4 Bezier volume over the cube, sampled in 16x16x16 cells (17 points a side, as the peer's), whose
-control points follow the bend of vtk_deform.py at half its amount; --rest leaves it out.
+control points follow the bend of vtk_deform.py at half its amount; --rest leaves it out, --deep puts a twist and an
+opening before it, --cells samples it in N³ cells.
 """
 import argparse
 import json
@@ -17,6 +18,8 @@ parser.add_argument("volume")
 parser.add_argument("out")
 parser.add_argument("--shade", action="store_true")
 parser.add_argument("--rest", action="store_true")
+parser.add_argument("--deep", action="store_true")
+parser.add_argument("--cells", type=int)
 arguments = parser.parse_args()
 sys.path.insert(0, arguments.peers)
 import peers_common as peers  # noqa: E402
@@ -46,10 +49,17 @@ volume = {"type": "place", "translate": [-h for h in half],
               "opacity": [[v / 255 * top, o] for v, o in peers.OPACITY]}}}
 lattice = {"type": "ffd", "control": control,
            "frame": {"min": [-h for h in half], "max": half}}
+if arguments.cells:
+    lattice["cells"] = [arguments.cells] * 3
+chain = [{"use": "bend"}]
+if arguments.deep:
+    frame = lattice["frame"]
+    chain = [{"type": "twist", "axis": "z", "angle": 40, "frame": frame},
+             {"type": "open", "axis": "x", "hinge": "z", "width": 0.08, "frame": frame}] + chain
 scene = {"voledit": 1,
          "assets": {"ct": {"kind": "volume", "path": os.path.relpath(arguments.volume, os.path.dirname(os.path.abspath(arguments.out)))}},
          "transfers": {"bend": lattice},
-         "root": volume if arguments.rest else {"type": "transfer", "by": [{"use": "bend"}], "of": volume},
+         "root": volume if arguments.rest else {"type": "transfer", "by": chain, "of": volume},
          "opacityDistance": 1.0,
          "camera": {"eye": peers.camera(0), "target": [0, 0, 0], "up": [0, 0, 1], "fovY": peers.FOV},
          "render": {"background": [0, 0, 0], "step": 1.0, "shading": arguments.shade, "light": "headlight",
