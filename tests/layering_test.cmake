@@ -20,11 +20,11 @@ forbid(core "${parsers}" "files are parsed in voledit-io only")
 forbid(render "${parsers}" "files are parsed in voledit-io only")
 forbid(app "${parsers}" "files are parsed in voledit-io only" "/app/io/")
 forbid(app/io "core/scene|core/stf|core/objects|core/eval|render/" "the parser process knows volumes and pictures, not scenes")
-foreach(pair "base=expression|fields|stf|skeleton|objects|rigging|scene|eval|io" "expression=fields|stf|skeleton|objects|rigging|scene|eval|io"
-        "fields=stf|skeleton|objects|rigging|scene|eval|io" "stf=skeleton|objects|rigging|scene|eval|io"
-        "skeleton=objects|rigging|scene|eval|io" "objects=skeleton|rigging|scene|eval|io" "rigging=scene|eval|io" "scene=eval|io" "io=objects|rigging|scene|eval" "eval=io")
+foreach(pair "base=expression|fields|stf|skeleton|objects|rigging|scene|eval|rays|io" "expression=fields|stf|skeleton|objects|rigging|scene|eval|rays|io"
+        "fields=stf|skeleton|objects|rigging|scene|eval|rays|io" "stf=skeleton|objects|rigging|scene|eval|rays|io"
+        "skeleton=objects|rigging|scene|eval|rays|io" "objects=skeleton|rigging|scene|eval|rays|io" "rigging=scene|eval|rays|io" "scene=eval|rays|io" "io=objects|rigging|scene|eval|rays" "eval=rays|io" "rays=io")
   string(REPLACE "=" ";" pair "${pair}")
   list(GET pair 0 module)
   list(GET pair 1 above)
-  forbid(core/${module} "core/(${above})/" "core's folders point one way: base ← expression ← fields ← stf ← skeleton, objects ← rigging ← scene ← eval")
+  forbid(core/${module} "core/(${above})/" "core's folders point one way: base ← expression ← fields ← stf ← skeleton, objects ← rigging ← scene ← eval ← rays")
 endforeach()

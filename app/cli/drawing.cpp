@@ -12,6 +12,7 @@
 #include "app/cli/arguments.h"
 #include "core/base/error.h"
 #include "core/eval/ray_caster.h"
+#include "core/rays/ray_renderer.h"
 #include "core/scene/actor_edits.h"
 #include "core/scene/nodes.h"
 #include "core/scene/scene_children.h"
@@ -25,15 +26,16 @@ namespace {
 class RayDrawing final : public Drawing {
 public:
     Picture draw(const CompiledScene& scene, Index2 size, Progress* progress) override {
-        rays_ = {};
-        return castRays(scene, size, &rays_, progress);
+        renderer_.begin(scene, size);
+        while (!renderer_.advance(progress ? 200 : 0)) report(progress, renderer_.progress());
+        return renderer_.picture();
     }
-    DrawStatistics statistics() const override { return {.slices = 0, .samples = rays_.samples, .cells = 0}; }
+    DrawStatistics statistics() const override { return {.slices = 0, .samples = renderer_.samples(), .cells = 0}; }
     std::string renderer() const override { return "rays"; }
     std::string gl() const override { return ""; }
 
 private:
-    RayStatistics rays_;
+    RayRenderer renderer_;
 };
 
 /// The oracle: plain rays in double precision.

@@ -115,35 +115,31 @@ private:
     std::vector<ObjectSample> values_;
 };
 
-void castRowsReporting(const CompiledScene& scene, Picture& picture, Index2 rows, RayStatistics* statistics,
-                       Progress* progress) {
-    assert(rows[0] >= 0 && rows[0] <= rows[1] && rows[1] <= picture.size.y);
-    std::atomic<std::uint64_t> samples{0};
-    std::atomic<int> done{0};
-    const int count = rows[1] - rows[0];
-    parallelFor(std::size_t(count), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            report(progress, double(done++) / count);
-            RayCaster caster(scene, picture.size);
-            const int y = rows[0] + int(row);
-            for (int x = 0; x < picture.size.x; ++x) picture.at(x, y) = caster.pixel(x, y);
-            samples += caster.samples();
-        }
-    });
-    if (statistics) statistics->samples += samples;
-}
-
 }  // namespace
+
+void castPixels(const CompiledScene& scene, Picture& picture, Index2 first, Index2 end, RayStatistics* statistics) {
+    assert(first.x >= 0 && first.y >= 0 && end.x <= picture.size.x && end.y <= picture.size.y);
+    RayCaster caster(scene, picture.size);
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x) picture.at(x, y) = caster.pixel(x, y);
+    if (statistics) statistics->samples += caster.samples();
+}
 
 Picture castRays(const CompiledScene& scene, Index2 size, RayStatistics* statistics, Progress* progress) {
     Picture picture(size);
-    castRowsReporting(scene, picture, {0, size.y}, statistics, progress);
+    std::atomic<std::uint64_t> samples{0};
+    std::atomic<int> done{0};
+    parallelFor(std::size_t(size.y), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            report(progress, double(done++) / size.y);
+            RayStatistics ofRow;
+            castPixels(scene, picture, {0, int(row)}, {size.x, int(row) + 1}, &ofRow);
+            samples += ofRow.samples;
+        }
+    });
+    if (statistics) statistics->samples += samples;
     report(progress, 1);
     return picture;
-}
-
-void castRows(const CompiledScene& scene, Picture& picture, int firstRow, int lastRow, RayStatistics* statistics) {
-    castRowsReporting(scene, picture, {firstRow, lastRow}, statistics, nullptr);
 }
 
 }  // namespace voledit

@@ -18,8 +18,8 @@ struct RayStatistics {
 Picture castRays(const CompiledScene& scene, Index2 size, RayStatistics* statistics = nullptr,
                  Progress* progress = nullptr);
 
-/// The same with float accumulation over a coarser grid of pixels for previews: casts rows [firstRow, lastRow) only,
-/// into `picture` (already of `size`). Lets a caller spread a picture over several frames.
-void castRows(const CompiledScene& scene, Picture& picture, int firstRow, int lastRow, RayStatistics* statistics);
+/// Casts the pixels from `first` up to but without `end` only, into `picture` (already of its size), in the calling
+/// thread: a caller may spread a picture over several frames and threads.
+void castPixels(const CompiledScene& scene, Picture& picture, Index2 first, Index2 end, RayStatistics* statistics);
 
 }  // namespace voledit

@@ -169,9 +169,9 @@ TEST(RayCaster, IsTheSameForEveryNumberOfThreadsAndInParts) {
     EXPECT_EQ(castRays(scene, size, &several).pixels, expected.pixels);
     setThreadCount(0);
     Picture picture(size);
-    castRows(scene, picture, 0, 17, &parts);
-    castRows(scene, picture, 17, 17, &parts);
-    castRows(scene, picture, 17, 48, &parts);
+    castPixels(scene, picture, {0, 0}, {size.x, 17}, &parts);
+    castPixels(scene, picture, {0, 17}, {13, 48}, &parts);
+    castPixels(scene, picture, {13, 17}, size, &parts);
     EXPECT_EQ(picture.pixels, expected.pixels);
     EXPECT_EQ(one.samples, several.samples);
     EXPECT_EQ(one.samples, parts.samples);

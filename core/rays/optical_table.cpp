@@ -1,0 +1,79 @@
+#include "core/rays/optical_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voledit {
+
+namespace {
+
+constexpr int kMostBins = 16383;
+constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
+
+/// Where the table has something to tell: the data's values, but not far beyond the transfer function's corners, where
+/// nothing changes any more.
+Interval tabulated(const TransferFunction& look, const Interval& data) {
+    double first = kInfinity, last = -kInfinity;
+    for (const Vec2& point : look.opacity.points) {
+        first = std::min(first, point.x);
+        last = std::max(last, point.x);
+    }
+    for (const ColorTable::Point& point : look.color.points) {
+        first = std::min(first, point.value);
+        last = std::max(last, point.value);
+    }
+    Interval range = data;
+    if (first <= last) {
+        const double beyond = std::max(last - first, 1e-3 * std::max(std::abs(first), std::abs(last)));
+        range = {std::max(data.low, first - beyond), std::min(data.high, last + beyond)};
+    }
+    if (!(range.low < range.high)) {
+        const double at = std::isfinite(range.low) ? range.low : std::isfinite(range.high) ? range.high : 0;
+        range = {at, at + std::max(1.0, 1e-6 * std::abs(at))};
+    }
+    return range;
+}
+
+}  // namespace
+
+OpticalTable makeOpticalTable(const TransferFunction& look, const Interval& data, bool whole, double unit) {
+    const Interval range = tabulated(look, data);
+    const double width = range.high - range.low;
+    OpticalTable table;
+    table.low = static_cast<float>(range.low);
+    // Whole values lie on bins, where the corners of most transfer functions lie, too.
+    const bool onBins = whole && width <= kMostBins && double(table.low) == std::floor(range.low);
+    table.scale = static_cast<float>(onBins ? std::floor(kMostBins / width) : kMostBins / width);
+    table.last = std::clamp(int(std::ceil(width * double(table.scale))), 1, kMostBins);
+    const auto entries = std::size_t(table.last) + 2;
+    table.depth.reserve(entries);
+    table.color.reserve(4 * entries);
+    double depth = 0, extinctionBefore = 0;
+    Vec3 color(0), glowBefore(0);
+    for (std::size_t n = 0; n < entries; ++n) {
+        const double value = double(table.low) + double(n) / double(table.scale);
+        const double opacity = std::clamp(look.opacity(value), 0.0, kLargestOpacity);
+        const double extinction = opacity > 0 ? -std::log1p(-opacity) * unit : 0;
+        const Vec3 glow = extinction * look.color(value);
+        if (n > 0) {
+            depth += 0.5 * (extinctionBefore + extinction);
+            color += 0.5 * (glowBefore + glow);
+        }
+        extinctionBefore = extinction;
+        glowBefore = glow;
+        table.depth.push_back(static_cast<float>(depth));
+        for (int c = 0; c < 3; ++c) table.color.push_back(static_cast<float>(color[c]));
+        table.color.push_back(0);
+    }
+    return table;
+}
+
+bool OpticalTable::mayAbsorb(float lowest, float highest) const {
+    if (!(lowest <= highest)) return false;
+    const float slack = 0.01F + 4e-7F * scale * std::max(std::abs(lowest), std::abs(highest));
+    const auto bin = [&](float position) { return int(std::clamp(position, 0.0F, float(last))); };
+    const int first = bin((lowest - low) * scale + 0.5F - slack), end = bin((highest - low) * scale + 0.5F + slack) + 1;
+    return depth[std::size_t(end)] > depth[std::size_t(first)];
+}
+
+}  // namespace voledit

@@ -1,0 +1,439 @@
+#include "core/rays/packet_caster.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/rays/packet_caster.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
+
+#include <hwy/highway.h>
+
+#include "core/rays/packet_voxels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace voledit::HWY_NAMESPACE {
+
+// Below this transmittance a ray ends: a tenth of what 8 bits show.
+constexpr float kOpaque = 4e-4F;
+// Pieces that lie no further apart, in steps, touch.
+constexpr float kTouching = 1e-2F;
+// How far short of an empty region's end a stride stays, in steps: more than rounding makes of it.
+constexpr float kShort = 2e-3F;
+// What contributes less is left unlit.
+constexpr float kFaint = 5e-5F;
+
+HWY_INLINE Real load(const float* values) {
+    return hn::Load(F(), values);
+}
+
+/// The pieces that the lanes are on.
+class Lanes {
+public:
+    explicit Lanes(const RayPacket& packet) : packet_(packet) {
+        for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
+            next_[l] = 0;
+            begin_[l] = end_[l] = 0;
+            for (std::size_t a = 0; a < 3; ++a) start_[a][l] = step_[a][l] = inverse_[a][l] = 0;
+            if (take(l)) alive_ |= 1U << l;
+        }
+        reload();
+    }
+
+    Real start[3], step[3], begin, end;
+    Real inverse[3];  // of step
+
+    std::uint32_t alive() const { return alive_; }
+    std::uint32_t cell(std::size_t lane) const { return cell_[lane]; }
+
+    /// Moves lane l on to its next piece; false where there is none.
+    bool take(std::size_t l) {
+        if (next_[l] == packet_.pieces[l].size()) return false;
+        const RayPiece& piece = packet_.pieces[l][next_[l]++];
+        begin_[l] = piece.begin;
+        end_[l] = piece.end;
+        cell_[l] = piece.cell;
+        for (std::size_t a = 0; a < 3; ++a) {
+            start_[a][l] = piece.start[a];
+            step_[a][l] = piece.step[a];
+            inverse_[a][l] = piece.step[a] != 0 ? 1 / piece.step[a] : 1e30F;
+        }
+        return true;
+    }
+    /// Moves lane l on to the piece that u lies on, as far as pieces touch; gives u, or where the run ends before it.
+    float follow(std::size_t l, float u) {
+        while (u > end_[l]) {
+            if (!touchesNext(l)) return end_[l];
+            take(l);
+        }
+        return u;
+    }
+    bool touchesNext(std::size_t l) const {
+        const auto& pieces = packet_.pieces[l];
+        return next_[l] < pieces.size() && pieces[next_[l]].begin <= end_[l] + kTouching;
+    }
+    float beginOf(std::size_t l) const { return begin_[l]; }
+    float endOf(std::size_t l) const { return end_[l]; }
+
+    /// After pieces were taken.
+    HWY_INLINE void reload() {
+        for (std::size_t a = 0; a < 3; ++a) {
+            start[a] = load(start_[a].data());
+            step[a] = load(step_[a].data());
+            inverse[a] = load(inverse_[a].data());
+        }
+        begin = load(begin_.data());
+        end = load(end_.data());
+    }
+
+private:
+    using Floats = std::array<float, RayPacket::kMost>;
+    const RayPacket& packet_;
+    std::array<std::size_t, RayPacket::kMost> next_{};
+    std::array<std::uint32_t, RayPacket::kMost> cell_{};
+    std::uint32_t alive_ = 0;
+    alignas(64) std::array<Floats, 3> start_;
+    alignas(64) std::array<Floats, 3> step_;
+    alignas(64) std::array<Floats, 3> inverse_;
+    alignas(64) Floats begin_;
+    alignas(64) Floats end_;
+};
+
+HWY_INLINE Mask none() {
+    return hn::Lt(hn::Zero(F()), hn::Zero(F()));
+}
+HWY_INLINE Mask all() {
+    return hn::Eq(hn::Zero(F()), hn::Zero(F()));
+}
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(F(), mask, bits);
+    return std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
+}
+HWY_INLINE Mask maskOf(std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
+    return hn::LoadMaskBits(F(), bytes);
+}
+template <class Body>
+HWY_INLINE void forLanes(std::uint32_t bits, const Body& body) {
+    for (; bits; bits &= bits - 1) body(std::size_t(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
+}
+
+template <class Voxels>
+class Caster {
+public:
+    Caster(const PacketVolume& volume, const VoxelAccess& access, RayPacket& packet)
+        : volume_(volume),
+          access_(access),
+          table_(*volume.table),
+          skip_(*volume.skip),
+          packet_(packet),
+          lanes_(packet),
+          side_(real(float(1 << skip_.shift))),
+          perSide_(real(1.0F / float(1 << skip_.shift))),
+          scale_(real(table_.scale)),
+          offset_(real((table_.low + access.bias) * table_.scale)) {}
+
+    void run() {
+        active_ = maskOf(lanes_.alive());
+        u_ = lanes_.begin;
+        visited_ = have_ = none();
+        knowsColor_ = none();
+        bin_ = hn::Zero(I());
+        depth_ = hn::Zero(F());
+        transmittance_ = real(1);
+        for (Real& c : color_) c = hn::Zero(F());
+        for (Real& c : atBin_) c = hn::Zero(F());
+        findBrick(positionAt(u_));
+        while (true) {
+            stride();
+            if (hn::AllFalse(F(), active_)) break;
+            sample();
+        }
+        for (std::size_t c = 0; c < 3; ++c) hn::Store(color_[c], F(), packet_.color[c].data());
+        hn::Store(transmittance_, F(), packet_.transmittance.data());
+    }
+
+private:
+    /// The position at u, between samples of the volume.
+    HWY_INLINE Real3 positionAt(Real u) const {
+        const auto along = [&](int a) HWY_ATTR {
+            const Real x = hn::Add(lanes_.start[a], hn::Mul(u, lanes_.step[a]));
+            return hn::Min(hn::Max(x, hn::Zero(F())), real(access_.beforeLast[std::size_t(a)]));
+        };
+        return {along(0), along(1), along(2)};
+    }
+
+    HWY_INLINE void findBrick(const Real3& x) {
+        brick_[0] = hn::Floor(hn::Mul(x.x, perSide_));
+        brick_[1] = hn::Floor(hn::Mul(x.y, perSide_));
+        brick_[2] = hn::Floor(hn::Mul(x.z, perSide_));
+        // Fewer bricks than a float counts.
+        const Real at = hn::Add(brick_[0], hn::Mul(real(float(skip_.count.x)),
+                                                   hn::Add(brick_[1], hn::Mul(real(float(skip_.count.y)), brick_[2]))));
+        const auto* bytes = reinterpret_cast<const std::int32_t*>(skip_.distance.data());
+        distance_ = hn::And(hn::GatherOffset(I(), bytes, wholeOf(at)), whole(0xff));
+    }
+
+    /// Where the ray leaves the bricks that are known to be empty about its own; ≥ u.
+    HWY_INLINE Real emptyUntil() const {
+        const Real distance = hn::ConvertTo(F(), distance_), behind = hn::Sub(real(1), distance);
+        Real until = real(1e30F);
+        for (int a = 0; a < 3; ++a) {
+            const Mask ahead = hn::Gt(lanes_.inverse[a], hn::Zero(F()));
+            const Real face = hn::Mul(side_, hn::Add(brick_[a], hn::IfThenElse(ahead, distance, behind)));
+            until = hn::Min(until, hn::Mul(hn::Sub(face, lanes_.start[a]), lanes_.inverse[a]));
+        }
+        return hn::Sub(until, real(kShort));
+    }
+
+    /// Passes what is empty: samples keep their places, those that are left out would have had opacity 0.
+    void stride() {
+        Mask empty = hn::And(active_, hn::RebindMask(F(), hn::Gt(distance_, whole(0))));
+        while (!hn::AllFalse(F(), empty)) {
+            const Real until = emptyUntil();
+            const Mask over = hn::And(empty, hn::Ge(until, lanes_.end));
+            const Real target = hn::IfThenElse(over, lanes_.end, hn::Floor(until));
+            const Mask moved = hn::Or(over, hn::And(empty, hn::Gt(target, u_)));
+            if (hn::AllFalse(F(), moved)) break;
+            u_ = hn::IfThenElse(moved, target, u_);
+            visited_ = hn::AndNot(moved, visited_);
+            have_ = hn::AndNot(moved, have_);
+            if (!hn::AllFalse(F(), over)) takeNext(over);
+            const Mask on = hn::And(moved, active_);
+            if (hn::AllFalse(F(), on)) break;
+            const Whole before = distance_;
+            findBrick(positionAt(u_));
+            empty = hn::And(on, hn::RebindMask(F(), hn::Gt(distance_, whole(0))));
+            (void)before;
+        }
+    }
+
+    /// Lanes go on to where their next piece begins, or end.
+    HWY_NOINLINE void takeNext(Mask which) {
+        alignas(64) std::array<float, RayPacket::kMost> u;
+        hn::Store(u_, F(), u.data());
+        std::uint32_t ended = 0;
+        forLanes(bitsOf(which), [&](std::size_t l) {
+            if (lanes_.take(l))
+                u[l] = std::max(u[l], lanes_.beginOf(l));
+            else
+                ended |= 1U << l;
+        });
+        u_ = load(u.data());
+        active_ = hn::AndNot(maskOf(ended), active_);
+        lanes_.reload();
+    }
+
+    HWY_NOINLINE Real follow(Mask which, Real to) {
+        alignas(64) std::array<float, RayPacket::kMost> u;
+        hn::Store(to, F(), u.data());
+        forLanes(bitsOf(which), [&](std::size_t l) { u[l] = lanes_.follow(l, u[l]); });
+        lanes_.reload();
+        return load(u.data());
+    }
+
+    /// Takes a sample of each lane at its next place, and adds the stretch that it ends.
+    HWY_INLINE void sample() {
+        Real to = hn::IfThenElse(visited_, hn::Add(hn::Floor(u_), real(1)), u_);
+        const Mask past = hn::And(active_, hn::Gt(to, lanes_.end));
+        if (!hn::AllFalse(F(), past)) to = follow(past, to);
+        const Real3 x = positionAt(to);
+        findBrick(x);
+        const Real value = valueAt<Voxels>(access_, placeOf(x));
+        packet_.samples += hn::CountTrue(F(), active_);
+
+        const Real position = hn::Sub(hn::Mul(value, scale_), offset_);
+        const Real inside = hn::Min(hn::Max(position, real(0)), real(float(table_.last)));
+        const Whole bin = wholeOf(inside);
+        const Mask defined = hn::Eq(value, value);  // voxels that are not numbers are empty
+        const Mask stretch = hn::And(hn::And(active_, have_), defined);
+        const Mask same = hn::And(have_, hn::RebindMask(F(), hn::Eq(bin, bin_)));
+        // A value that does not change is taken to change by one bin.
+        const Whole other = hn::IfThenElse(hn::RebindMask(I(), same), hn::Add(bin, whole(1)), bin);
+        const Real depth = hn::GatherIndex(F(), table_.depth.data(), other);
+        const Real absorbed = hn::Sub(depth, depth_);
+        const Mask visible = hn::And(stretch, hn::Ne(absorbed, hn::Zero(F())));
+        if (!hn::AllFalse(F(), visible))
+            composite(visible, same, absorbed, other, to);
+        else
+            knowsColor_ = hn::And(knowsColor_, have_);
+        depth_ = hn::IfThenElse(same, depth_, depth);
+        bin_ = bin;
+        have_ = defined;
+        visited_ = all();
+        u_ = to;
+        const Mask done = hn::And(active_, hn::Ge(to, lanes_.end));
+        if (!hn::AllFalse(F(), done)) finish(done);
+        active_ = hn::And(active_, hn::Gt(transmittance_, real(kOpaque)));
+    }
+
+    /// Lanes at the end of a piece: those whose run ends there begin the next or are done.
+    HWY_NOINLINE void finish(Mask which) {
+        std::uint32_t ends = 0;
+        forLanes(bitsOf(which), [&](std::size_t l) {
+            if (!lanes_.touchesNext(l)) ends |= 1U << l;
+        });
+        if (!ends) return;
+        const Mask over = maskOf(ends);
+        visited_ = hn::AndNot(over, visited_);
+        have_ = hn::AndNot(over, have_);
+        takeNext(over);
+        distance_ = hn::IfThenElseZero(hn::Not(hn::RebindMask(I(), over)), distance_);
+    }
+
+    HWY_INLINE void composite(Mask visible, Mask same, Real absorbed, Whole other, Real to) {
+        const Mask asks = hn::And(visible, hn::Not(knowsColor_));
+        const float* colors = table_.color.data();
+        if (!hn::AllFalse(F(), asks)) {
+            const Whole at = hn::ShiftLeft<2>(bin_);
+            for (int c = 0; c < 3; ++c)
+                atBin_[c] = hn::IfThenElse(knowsColor_, atBin_[c], hn::GatherIndex(F(), colors + c, at));
+        }
+        const Real zero = hn::Zero(F()), one = real(1);
+        const Real change = hn::ConvertTo(F(), hn::Sub(other, bin_));
+        const Real inverse = hn::Div(one, hn::IfThenElse(visible, hn::Mul(change, absorbed), one));
+        const Real length = hn::Sub(to, u_);
+        // depth = absorbed / change · length; mean colour = glow / absorbed.
+        const Real depth = hn::Mul(hn::Mul(hn::Mul(absorbed, absorbed), inverse), length);
+        const Real through = exp2(hn::Mul(depth, real(-1.44269504F)));
+        const Real weight = hn::IfThenElseZero(visible, hn::Mul(transmittance_, hn::Sub(one, through)));
+        const Real perDepth = hn::Mul(change, inverse);
+        const Whole at = hn::ShiftLeft<2>(other);
+        Real mean[3];
+        for (int c = 0; c < 3; ++c) {
+            const Real glow = hn::GatherIndex(F(), colors + c, at);
+            mean[c] = hn::Min(hn::Max(hn::Mul(hn::Sub(glow, atBin_[c]), perDepth), zero), one);
+            atBin_[c] = hn::IfThenElse(same, atBin_[c], glow);
+        }
+        knowsColor_ = all();
+        if (volume_.light.shading) {
+            const Mask lit = hn::And(visible, hn::Gt(weight, real(kFaint)));
+            if (!hn::AllFalse(F(), lit)) shade(lit, hn::Mul(real(0.5F), hn::Add(u_, to)), mean);
+        }
+        for (int c = 0; c < 3; ++c) color_[c] = hn::Add(color_[c], hn::Mul(weight, mean[c]));
+        transmittance_ = hn::IfThenElse(visible, hn::Mul(transmittance_, through), transmittance_);
+    }
+
+    /// The gradient at u turned to world space, of any length.
+    HWY_INLINE Real3 gradient(Mask lit, Real u) const {
+        const Place place = placeOf(positionAt(u));
+        const bool thin = access_.size[0] < 4 || access_.size[1] < 4 || access_.size[2] < 4;
+        Real3 g{hn::Zero(F()), hn::Zero(F()), hn::Zero(F())};
+        Mask faces = lit;
+        if (!thin) {
+            g = innerDifferences<Voxels>(access_, place);
+            faces = hn::And(lit, atFaces(access_, place));
+        }
+        if (HWY_UNLIKELY(!hn::AllFalse(F(), faces))) g = differencesAtFaces(faces, place, g);
+        const auto& m = volume_.worldFromGradient;
+        const auto row = [&](std::size_t r) HWY_ATTR {
+            return hn::Add(hn::Add(hn::Mul(real(m[r]), g.x), hn::Mul(real(m[r + 1]), g.y)),
+                           hn::Mul(real(m[r + 2]), g.z));
+        };
+        return {row(0), row(3), row(6)};
+    }
+
+    HWY_NOINLINE Real3 differencesAtFaces(Mask faces, const Place& place, const Real3& inner) const {
+        alignas(64) std::array<std::array<float, RayPacket::kMost>, 3> x, g;
+        const Whole below[3] = {place.i, place.j, place.k};
+        const Real fraction[3] = {place.u, place.v, place.w}, differences[3] = {inner.x, inner.y, inner.z};
+        for (std::size_t a = 0; a < 3; ++a) {
+            hn::Store(hn::Add(hn::ConvertTo(F(), below[a]), fraction[a]), F(), x[a].data());
+            hn::Store(differences[a], F(), g[a].data());
+        }
+        forLanes(bitsOf(faces), [&](std::size_t l) {
+            const auto exact = differencesAt(*volume_.volume, {x[0][l], x[1][l], x[2][l]});
+            for (std::size_t a = 0; a < 3; ++a) g[a][l] = exact[a];
+        });
+        return {load(g[0].data()), load(g[1].data()), load(g[2].data())};
+    }
+
+    /// Lights `color` where the gradient at u has a direction (camera.h).
+    HWY_INLINE void shade(Mask lit, Real u, Real* color) const {
+        const PacketLight& light = volume_.light;
+        Real3 g = gradient(lit, u);
+        const Real largest = hn::Max(hn::Max(hn::Abs(g.x), hn::Abs(g.y)), hn::Abs(g.z));
+        lit = hn::And(lit, hn::And(hn::Gt(largest, hn::Zero(F())), hn::Lt(largest, real(3e38F))));
+        // By the largest component first: squares of steep gradients overflow.
+        const Real inverse = hn::Div(real(1), hn::IfThenElse(lit, largest, real(1)));
+        g = {hn::Mul(g.x, inverse), hn::Mul(g.y, inverse), hn::Mul(g.z, inverse)};
+        const auto dot = [](const Real3& a, const Real3& b) HWY_ATTR {
+            return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+        };
+        const Real3 toEye{load(packet_.toEye[0].data()), load(packet_.toEye[1].data()), load(packet_.toEye[2].data())};
+        const Real steepness = hn::Sqrt(hn::IfThenElse(lit, dot(g, g), real(1)));
+        Real facing = hn::Abs(dot(g, toEye)), highlight = facing;
+        if (!light.head) {
+            const Real3 toLight{real(light.toLight[0]), real(light.toLight[1]), real(light.toLight[2])};
+            const Real3 between{hn::Add(toLight.x, toEye.x), hn::Add(toLight.y, toEye.y), hn::Add(toLight.z, toEye.z)};
+            const Real width = dot(between, between);
+            const Mask wide = hn::Gt(width, real(1e-12F));
+            facing = hn::Abs(dot(g, toLight));
+            highlight = hn::IfThenElseZero(
+                wide, hn::Div(hn::Abs(dot(g, between)), hn::Sqrt(hn::IfThenElse(wide, width, real(1)))));
+        }
+        facing = hn::Div(facing, steepness);
+        highlight = hn::Min(hn::Div(highlight, steepness), real(1));
+        const Real spread = hn::Add(real(light.ambient), hn::Mul(real(light.diffuse), facing));
+        const Real shine = hn::Mul(real(light.specular), pow(highlight, light.shininess));
+        for (int c = 0; c < 3; ++c) color[c] = hn::IfThenElse(lit, hn::Add(hn::Mul(color[c], spread), shine), color[c]);
+    }
+
+    const PacketVolume& volume_;
+    const VoxelAccess& access_;
+    const OpticalTable& table_;
+    const SkipGrid& skip_;
+    RayPacket& packet_;
+    Lanes lanes_;
+    Real side_, perSide_;  // of bricks, voxels
+    Real scale_, offset_;
+    Mask active_;      // lanes whose rays go on
+    Mask visited_;     // of them, those that have a sample at u
+    Mask have_;        // and those whose value there is known
+    Mask knowsColor_;  // and those whose entry of the colour table there is
+    Real u_;
+    Whole bin_;
+    Real depth_, atBin_[3];  // the tables at bin_
+    Real color_[3], transmittance_;
+    Real brick_[3];
+    Whole distance_;
+};
+
+void castPacketHere(const PacketVolume& volume, RayPacket& packet) {
+    const VoxelAccess access = voxelAccess(*volume.volume);
+    switch (access.kind) {
+        case VoxelKind::Bits8:
+            return Caster<Voxels8>(volume, access, packet).run();
+        case VoxelKind::Bits16:
+            return Caster<Voxels16>(volume, access, packet).run();
+        case VoxelKind::Bits32:
+            return Caster<Voxels32>(volume, access, packet).run();
+        case VoxelKind::Float:
+            return Caster<VoxelsFloat>(volume, access, packet).run();
+    }
+}
+
+std::size_t lanesHere() {
+    return hn::Lanes(F());
+}
+
+}  // namespace voledit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace voledit {
+
+HWY_EXPORT(castPacketHere);
+HWY_EXPORT(lanesHere);
+
+Index2 packetShape() {
+    const std::size_t lanes = HWY_DYNAMIC_DISPATCH(lanesHere)();
+    Index2 shape(1, 1);
+    while (std::size_t(shape.x * shape.y) < lanes) (shape.x <= shape.y ? shape.x : shape.y) *= 2;
+    return shape;
+}
+
+void castPacket(const PacketVolume& volume, RayPacket& packet) {
+    HWY_DYNAMIC_DISPATCH(castPacketHere)(volume, packet);
+}
+
+}  // namespace voledit
+#endif

@@ -1,0 +1,41 @@
+#include "core/rays/volume_look.h"
+
+#include <algorithm>
+
+#include "core/rays/packet_caster.h"
+
+namespace voledit {
+
+namespace {
+
+Interval rangeOf(const ValueBricks& bricks) {
+    Interval range{kInfinity, -kInfinity};
+    for (std::size_t n = 0; n < bricks.low.size(); ++n) range = join(range, Interval{bricks.low[n], bricks.high[n]});
+    return range;
+}
+
+bool whole(VoxelType type) {
+    return type != VoxelType::Float && type != VoxelType::Double;
+}
+
+}  // namespace
+
+bool packable(const VolumeTerm& term) {
+    return term.interpolation == Interpolation::Linear && term.channel == 0 && packable(*term.volume) &&
+           term.appearance.gradientOpacity.points.empty();
+}
+
+std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
+                                             const std::shared_ptr<const VolumeLook>& previous) {
+    if (previous && previous->term == term && previous->unit == unit) return previous;
+    auto look = std::make_shared<VolumeLook>();
+    look->term = term;
+    look->unit = unit;
+    const VolumeTerm& node = look->volumeTerm();
+    const ValueBricks& bricks = node.volume->bricks(node.channel);
+    look->table = makeOpticalTable(node.appearance, rangeOf(bricks), whole(node.volume->type()), unit);
+    look->skip = makeSkipGrid(bricks, look->table);
+    return look;
+}
+
+}  // namespace voledit

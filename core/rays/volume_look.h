@@ -1,0 +1,29 @@
+#pragma once
+// A volume term made ready for packets of rays: its table of optical depths, and where it has nothing to see.
+
+#include <memory>
+
+#include "core/objects/term.h"
+#include "core/rays/optical_table.h"
+#include "core/rays/skip_grid.h"
+
+namespace voledit {
+
+/// Immutable; made for one length of the step.
+struct VolumeLook {
+    TermPtr term;     // a VolumeTerm; keeps it
+    double unit = 1;  // the step, opacity distances
+    OpticalTable table;
+    SkipGrid skip;
+
+    const VolumeTerm& volumeTerm() const { return std::get<VolumeTerm>(term->node); }
+};
+
+/// True for volumes that packets draw as written: linear, packable(), without opacity by steepness.
+bool packable(const VolumeTerm& term);
+
+/// The look of a VolumeTerm that is packable(); `previous` (may be null) if that is it.
+std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
+                                             const std::shared_ptr<const VolumeLook>& previous);
+
+}  // namespace voledit
