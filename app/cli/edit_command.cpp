@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/editor/run_editor.h"
+#include "app/editor/workspace.h"
 
 namespace voledit {
 
@@ -13,7 +14,7 @@ struct EditArguments {
     std::vector<std::string> files;
     bool headless = false, listActions = false, allowOutside = false;
     std::string play, record, screenshot, size, renderer, gl = "auto";
-    double scale = 0;
+    double scale = 0, frameBudget = 30;
 };
 
 EditorOptions optionsOf(const EditArguments& a) {
@@ -27,6 +28,9 @@ EditorOptions optionsOf(const EditArguments& a) {
     if (!a.size.empty()) options.size = parseSize2(a.size, "--size");
     if (a.scale != 0 && !(a.scale >= 0.5 && a.scale <= 4)) throw UsageError("--scale: give a number from 0.5 to 4");
     options.scale = a.scale;
+    if (!(a.frameBudget >= kLeastFrameBudget && a.frameBudget <= kMostFrameBudget))
+        throw UsageError("--frame-budget: give milliseconds from 5 to 1000");
+    options.frameBudgetMs = a.frameBudget;
     if (!a.renderer.empty() && a.renderer != "slices" && a.renderer != "rays" && a.renderer != "auto")
         throw UsageError("--renderer " + a.renderer + ": there are slices, rays and auto");
     options.renderer = a.renderer;
@@ -49,6 +53,11 @@ Command addEditCommand(CLI::App& command, const CommonArguments&) {
     command.add_option("--screenshot", a->screenshot, "Save what the window shows at the end")->type_name("OUT.png");
     command.add_option("--size", a->size, "Window size in pixels")->type_name("WxH");
     command.add_option("--scale", a->scale, "Size of letters and widgets, e.g. 2")->type_name("F");
+    command
+        .add_option("--frame-budget", a->frameBudget,
+                    "Milliseconds that a frame may take while something moves; pictures are as fine as that allows")
+        ->capture_default_str()
+        ->type_name("MS");
     command.add_option("--renderer", a->renderer, "slices, rays or auto");
     command.add_option("--gl", a->gl, "OpenGL when headless: osmesa, egl or auto")->capture_default_str();
     command.add_flag("--list-actions", a->listActions, "List the named actions and stop");

@@ -19,6 +19,7 @@ struct RenderArguments {
     PictureArguments picture;
     std::string output, stats;
     double time = kNaN;
+    bool report = false;  // progress as lines on standard output, for the editor
     int timeFrames = 0, timeEdits = 0;
 };
 
@@ -82,8 +83,9 @@ int render(const RenderArguments& a, const CommonArguments& common) {
     const CompiledScene scene = compileAt(opened, a.input, a.time, double(size.x) / size.y);
 
     Picture picture;
-    withProgress("Rendering", common.verbosity(),
-                 [&](Progress* progress) { picture = drawing->draw(scene, size, progress); });
+    withProgress(
+        "Rendering", common.verbosity(), [&](Progress* progress) { picture = drawing->draw(scene, size, progress); },
+        a.report);
     const double firstImage = millisecondsSinceStart();
     withProgress("Writing " + a.output, common.verbosity(), [&](Progress*) { io.writePicture(picture, a.output); });
     if (common.verbosity() == Verbosity::Verbose)
@@ -102,6 +104,7 @@ Command addRenderCommand(CLI::App& command, const CommonArguments& common) {
     command.add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required()->type_name("OUT");
     command.add_option("--time", a->time, "Time in seconds (the timeline's start)")->type_name("S");
     addPictureArguments(command, a->picture);
+    command.add_flag("--report", a->report)->group("");
     command.add_option("--stats", a->stats, "Write measurements as JSON")->type_name("FILE");
     command.add_option("--time-frames", a->timeFrames, "Draw and time N more frames, orbiting")->type_name("N");
     command.add_option("--time-edits", a->timeEdits, "Make and time N small edits of the outermost lattice")

@@ -36,7 +36,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-void withProgress(const std::string& what, Verbosity verbosity, const std::function<void(Progress*)>& work) {
+void withProgress(const std::string& what, Verbosity verbosity, const std::function<void(Progress*)>& work,
+                  bool report) {
     const bool bar = verbosity != Verbosity::Quiet && isatty(STDERR_FILENO);
     const auto start = std::chrono::steady_clock::now();
     Progress progress;
@@ -51,6 +52,7 @@ void withProgress(const std::string& what, Verbosity verbosity, const std::funct
         for (int tick = 0; !done; ++tick) {
             if (interrupted) progress.cancel();
             if (bar && tick >= 25 && tick % 5 == 0) draw(what, progress.fraction(), secondsSince(start)), drawn = true;
+            if (report && tick % 10 == 0) std::printf("progress %.3f\n", progress.fraction()), std::fflush(stdout);
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
         if (drawn) std::fprintf(stderr, "\r%*s\r", 70 + static_cast<int>(what.size()), "");

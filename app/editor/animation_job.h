@@ -2,13 +2,11 @@
 // An animation that `voledit animate` renders while the editor goes on.
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/animation/child_process.h"
-#include "app/editor/workspace.h"
+#include "app/editor/scene_process.h"
 
 namespace voledit {
 
@@ -29,28 +27,19 @@ struct AnimationRequest {
 /// for a path that names no video and no pattern of pictures, and for other words behind it.
 AnimationRequest parseAnimationRequest(const std::string& argument);
 
-/// The scene as it would be saved now: committed steps, with the view as its camera unless the scene's own moves.
-Scene sceneToRender(const Workspace& workspace);
-
-/// One `voledit animate` in the background, on a copy of the scene, at low priority; it is stopped with the editor.
+/// One `voledit animate` in the background, on a copy of the scene. Stopped with the editor; finished frames stay.
 class AnimationJob {
 public:
-    AnimationJob() = default;
-    /// Stops what is rendered; finished frames stay.
-    ~AnimationJob();
-    AnimationJob(const AnimationJob&) = delete;
-    AnimationJob& operator=(const AnimationJob&) = delete;
-
     /// Throws Error: it is rendering already, or the copy cannot be written.
     void start(const AnimationRequest& request, const Workspace& workspace);
-    bool running() const { return process_ != nullptr; }
+    bool running() const { return process_.running(); }
     /// What is rendered, or was last.
     const AnimationRequest& request() const { return request_; }
     double fraction() const;  // 0…1
     /// "12 of 48 frames, about 2 min left".
     std::string progressText() const;
     /// Asks it to stop; poll() tells when it has.
-    void cancel();
+    void cancel() { process_.cancel(); }
 
     struct Ended {
         Notice::Kind kind = Notice::Kind::Info;
@@ -60,17 +49,14 @@ public:
     /// Takes in what the process said; once a frame. What became of it, once it has ended.
     std::optional<Ended> poll();
     /// Blocks until there is news for poll(), or nothing is running.
-    void wait() const;
+    void wait() const { process_.wait(); }
 
 private:
-    Ended ended();
-
     AnimationRequest request_;
-    std::filesystem::path folder_;  // with the copy of the scene
-    std::unique_ptr<ChildProcess> process_;
+    SceneProcess process_;
     int done_ = 0, total_ = 0;
     double secondsLeft_ = -1;
-    bool encoding_ = false, cancelled_ = false;
+    bool encoding_ = false;
 };
 
 }  // namespace voledit

@@ -98,7 +98,7 @@ Editor::Editor(const EditorSettings& settings, IoClient& io)
     applyTheme(settings.scale);
     ++fontsBuilt_;
     addFileActions();
-    addAnimationActions();
+    addRenderingActions();
     addEditActions();
     addToolActions(workspace_.actions, workspace_, tools_);
     addActorActions(workspace_.actions, workspace_, job_, [this](const std::string& path) { importMotion(path); });
@@ -156,7 +156,7 @@ void Editor::frame(const FrameInput& input) {
     }
     if (files_.poll() && recorder_) recorder_->loaded();
     finishJobs();
-    pollAnimation();
+    pollRendering();
 
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(float(window_.x), float(window_.y));

@@ -18,6 +18,8 @@
 #include "app/editor/panel.h"
 #include "app/editor/places.h"
 #include "app/editor/recorder.h"
+#include "app/editor/still_dialog.h"
+#include "app/editor/still_job.h"
 #include "app/editor/timeline/timeline_panel.h"
 #include "app/editor/tools/viewport_tools.h"
 #include "app/editor/widget_places.h"
@@ -37,8 +39,16 @@ struct EditorSettings {
 
 /// How fast the picture followed the last interaction; only in a window.
 struct FrameTimes {
-    double frameMs = 0;    // median time from input to its picture
-    double refinedMs = 0;  // from the last input to full quality; 0 while refining
+    double frameMs = 0;  // median time from one picture to the next, or from its input where it waited for one
+    double picturesPerSecond = 0;  // 1 / the mean of these times
+    double refinedMs = 0;          // from the last input to full quality; 0 while refining
+};
+
+/// What the viewport shows.
+struct PictureStatus {
+    Index2 size{1}, of{1};  // of the picture, and of the viewport that it fills; pixels
+    double progress = 1;    // 0…1 of the way to full quality
+    std::string why;        // its renderer was taken, a sentence
 };
 
 /// Owns what is edited and how it is shown; knows nothing of GL or windows. Everything happens in `frame`, in one
@@ -72,10 +82,10 @@ public:
     bool working() const { return job_.running(); }
     /// Blocks until it is done; the next frame takes it over.
     void waitForWork() { job_.wait(); }
-    /// True while an animation is rendered. Edits go on; nothing waits for it unless it is told to.
-    bool rendering() const { return animation_.running(); }
+    /// True while an animation or a picture is rendered. Edits go on; nothing waits for it unless it is told to.
+    bool rendering() const { return animation_.running() || still_.running(); }
     /// Blocks until there is news of it for the next frame.
-    void waitForRendering() const { animation_.wait(); }
+    void waitForRendering() const;
     /// Why the last rendering failed; empty where it did not.
     const std::string& renderingProblem() const { return renderingProblem_; }
     bool inputWaits() const { return !queue_.empty(); }
@@ -100,8 +110,7 @@ public:
     /// and the user is told once.
     void drawnBy(const std::string& renderer, const std::string& slicesProblem);
     const std::string& rendererName() const { return rendererName_; }
-    /// How much of the picture is done, 0…1.
-    double refinement = 1;
+    PictureStatus picture;
 
 private:
     void dispatch(const std::vector<InputEvent>& events);
@@ -117,7 +126,8 @@ private:
     void drawShortcuts();
     void drawJob(const PixelRect& area);
     void drawHoveredJoint();
-    void drawAnimation();
+    void drawRendering();
+    bool drawRenderingBox(const char* scope, const std::string& text, double fraction, int above);
     void drawBesideMouse(const std::string& text);
     void endGestures();
     void endPendingEdit();
@@ -126,11 +136,12 @@ private:
     void importMotion(const std::string& path);
     void finishJobs();
     void renderAnimation(const std::string& argument);
-    void pollAnimation();
+    void renderStill(const std::string& argument);
+    void pollRendering();
     void updateActors();
     std::shared_ptr<const CompiledActor> actorAtRest() const;
     void addFileActions();
-    void addAnimationActions();
+    void addRenderingActions();
     void addEditActions();
     void addViewActions();
     void addLookActions();
@@ -150,6 +161,8 @@ private:
     ActorAnalysis analysis_;
     AnimationJob animation_;
     AnimationDialog animationDialog_;
+    StillJob still_;
+    StillDialog stillDialog_;
     std::string renderingProblem_;
     NoticeList noticeList_;
     TimelinePanel timeline_;

@@ -137,6 +137,12 @@ void Editor::addLookActions() {
     actions.add({"view.renderer", "Renderer", "", "slices|rays|auto",
                  "Draws by OpenGL slices, by rays on the CPU, or by the faster of both",
                  [this](const std::string& argument) { workspace_.renderer = rendererNamed(argument); }});
+    actions.add({"view.frame-budget", "Frame Budget", "", "MS",
+                 "What a frame may take while something moves; resolution and step follow it",
+                 [this](const std::string& argument) {
+                     workspace_.frameBudgetMs =
+                         numberArgument("view.frame-budget", argument, kLeastFrameBudget, kMostFrameBudget);
+                 }});
     actions.add({"view.step", "Step", "", "FACTOR", "Distance of samples in voxels: smaller is finer and slower",
                  [this](const std::string& argument) {
                      RenderSettings settings = workspace_.document.scene().render;

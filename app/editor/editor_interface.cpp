@@ -80,6 +80,19 @@ std::string playedText(const Workspace& workspace) {
     return text.data() + (dropped > 0 ? "  ·  " + std::to_string(dropped) + " dropped" : std::string());
 }
 
+// "rays  ·  18 ms  ·  640 × 480 of 960 × 720", "rays  ·  refining 40 %".
+std::string pictureText(const std::string& renderer, const FrameTimes& times, const PictureStatus& picture) {
+    std::array<char, 128> text;
+    if (picture.progress > 0 && picture.progress < 1)
+        std::snprintf(text.data(), text.size(), "%s  ·  refining %.0f %%", renderer.c_str(), 100 * picture.progress);
+    else if (picture.size == picture.of)
+        std::snprintf(text.data(), text.size(), "%s  ·  %.0f ms", renderer.c_str(), times.frameMs);
+    else
+        std::snprintf(text.data(), text.size(), "%s  ·  %.0f ms  ·  %d × %d of %d × %d", renderer.c_str(),
+                      times.frameMs, picture.size.x, picture.size.y, picture.of.x, picture.of.y);
+    return text.data();
+}
+
 void dimText(const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, packed(theme::kTextDim));
     ImGui::TextUnformatted(text.c_str());
@@ -110,7 +123,7 @@ void Editor::drawInterface() {
     guarded([&] { drawShortcuts(); });
     guarded([&] { files_.draw(aside); });
     guarded([&] { drawJob(aside); });
-    guarded([&] { drawAnimation(); });
+    guarded([&] { drawRendering(); });
 }
 
 void Editor::drawViewport() {
@@ -176,8 +189,8 @@ void Editor::drawMenus() {
         ImGui::BeginDisabled(files_.loading());
         const Actions& actions = workspace_.actions;
         menu(actions, "File",
-             {"file.open", "-", "file.save", "file.save-as", "-", "file.screenshot", "file.render-animation", "-",
-              "file.quit"});
+             {"file.open", "-", "file.save", "file.save-as", "-", "file.screenshot", "file.render-still",
+              "file.render-animation", "-", "file.quit"});
         menu(actions, "Edit",
              {"edit.undo", "edit.redo", "-", "node.rename", "node.enable", "node.move-up", "node.move-down",
               "node.delete", "-", "select.all", "select.none", "select.invert", "select.box"});
@@ -275,12 +288,7 @@ void Editor::drawStatus() {
     if (const std::string played = playedText(workspace_); !played.empty()) {
         right += (right.empty() ? "" : "      ") + played;
     } else if (times && workspace_.open) {
-        std::array<char, 64> text;
-        if (refinement < 1)
-            std::snprintf(text.data(), text.size(), "%s  %3.0f %%", rendererName_.c_str(), 100 * refinement);
-        else
-            std::snprintf(text.data(), text.size(), "%s  %.0f ms", rendererName_.c_str(), times->frameMs);
-        right += (right.empty() ? "" : "      ") + std::string(text.data());
+        right += (right.empty() ? "" : "      ") + pictureText(rendererName_, *times, picture);
     }
     const float width = ImGui::CalcTextSize(right.c_str()).x, all = ImGui::GetWindowContentRegionMax().x;
     std::string hint = workspace_.open ? tools_.hint(toolContext(workspace_)) : "Ctrl+O: open  ·  F1: keys";
@@ -292,6 +300,7 @@ void Editor::drawStatus() {
                               at.x + space, at.x + space, hint.c_str(), nullptr, nullptr);
     ImGui::SetCursorPosX(std::max(0.0f, all - width));
     dimText(right);
+    if (times && workspace_.open) ui::tooltip(picture.why);
     ImGui::End();
 }
 

@@ -18,6 +18,7 @@ struct EditorOptions {
     std::filesystem::path screenshot;  // PNG of the whole window when the events are done; empty: none
     std::optional<Index2> size;        // window size in pixels; nullopt: 1280x800 (headless), the last or a fitting one
     double scale = 0;                  // size of letters and widgets; 0: the display's (1 when headless)
+    double frameBudgetMs = 0;          // of a frame while something moves (a window); 0: 30
     std::string renderer;              // "slices", "rays" or "auto"; empty: slices (headless), auto (window)
     GlBackend gl = GlBackend::Auto;    // headless only
     bool listActions = false;          // prints the actions and returns

@@ -32,6 +32,7 @@ Session::Session(const EditorOptions& options) : headless_(options.headless) {
     settings.renderer = rendererOf(options);
     settings.open.scene.allowOutside = options.allowOutside;
     editor_ = std::make_unique<Editor>(settings, io_);
+    if (options.frameBudgetMs > 0) editor_->workspace().frameBudgetMs = options.frameBudgetMs;
     drawFrame(platform_->nextFrame(true));  // lays out the viewport that the first picture is fitted to
     openFirst(options.file);
     if (options.record.empty()) return;

@@ -68,6 +68,7 @@ std::string stateJson(const Editor& editor) {
     };
     if (editor.times) {
         state["frame_ms"] = editor.times->frameMs;
+        state["pictures_per_second"] = editor.times->picturesPerSecond;
         state["refined_ms"] = editor.times->refinedMs;
     }
     return state.dump(2) + "\n";

@@ -27,6 +27,9 @@ struct Notice {
     bool operator==(const Notice&) const = default;
 };
 
+/// Milliseconds that a frame may be given.
+constexpr double kLeastFrameBudget = 5, kMostFrameBudget = 1000;
+
 enum class RendererChoice : unsigned char { Auto, Slices, Rays };
 
 /// Plain data, owned by the editor; panels and tools take it by reference. What changed is found by comparing values.
@@ -48,7 +51,8 @@ struct Workspace {
     Index2 viewOrigin{0}, viewSize{1, 1};  // the viewport in window pixels
     bool overlays = true;
     RendererChoice renderer = RendererChoice::Auto;
-    std::string problem;  // why the scene as it is cannot be compiled; "" where it can
+    double frameBudgetMs = 30;  // that a frame may take while something moves
+    std::string problem;        // why the scene as it is cannot be compiled; "" where it can
 
     /// What an inspector previews, for when its widget goes away before it can end the edit (another node is selected
     /// while a formula is typed): the step's name, and whether what is typed now is wrong.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/editor/icons.h"
+#include "app/editor/panels/gradient_statistics.h"
 #include "app/editor/theme.h"
 #include "app/editor/timeline/key_row.h"
 #include "core/scene/appearance.h"
@@ -118,7 +120,31 @@ void opacityDistance(Workspace& workspace) {
               [&](Scene& scene) { setOpacityDistance(scene, distance, workspace.when()); });
 }
 
+/// Writes tables out as the appearance of `asset`.
+void applyTables(Workspace& workspace, const std::string& asset, const Edit& edit, const std::string& step,
+                 const TransferFunction& tables) {
+    applyEdit(workspace.document, edit, step, [&](Scene& scene) {
+        Appearance appearance;
+        appearance.color = tables.color;
+        appearance.opacity = tables.opacity;
+        if (!tables.gradientOpacity.points.empty()) appearance.gradientOpacity = tables.gradientOpacity;
+        setAppearance(scene, asset, appearance);
+    });
+}
+
+constexpr PlotWords kGradientWords{.plot = "Gradient plot",
+                                   .point = "Gradient point",
+                                   .height = "Factor",
+                                   .help = "On the opacity, where values change so steeply",
+                                   .what = "factor",
+                                   .where = "Gradient",
+                                   .whereHelp = "Change of the values a unit of length",
+                                   .lines = 5,
+                                   .colors = false};
+
 }  // namespace
+
+AppearancePanel::AppearancePanel() : gradientPlot_(kGradientWords) {}
 
 void AppearancePanel::draw(Workspace& workspace) {
     const std::vector<std::string> assets = shownAssets(workspace);
@@ -133,20 +159,38 @@ void AppearancePanel::draw(Workspace& workspace) {
     asset_ = assets[std::size_t(index)];
 
     presetCombo(workspace, asset_);
-    const Volume& volume = *workspace.assets.volumes.at(asset_);
+    const auto& volume = workspace.assets.volumes.at(asset_);
     const Document& document = workspace.document;
-    const TransferPlot::Result result =
-        plot_.draw(resolve(*findAppearance(document.scene(), asset_), volume),
-                   resolve(*findAppearance(document.committed(), asset_), volume), volume.statistics());
-    applyEdit(workspace.document, result.edit, result.step, [&](Scene& scene) {
-        Appearance appearance;
-        appearance.color = result.function.color;
-        appearance.opacity = result.function.opacity;
-        if (!result.function.gradientOpacity.points.empty())
-            appearance.gradientOpacity = result.function.gradientOpacity;
-        setAppearance(scene, asset_, appearance);
-    });
+    const TransferFunction shown = resolve(*findAppearance(document.scene(), asset_), *volume);
+    const TransferFunction committed = resolve(*findAppearance(document.committed(), asset_), *volume);
+    const TransferPlot::Result result = plot_.draw(shown, committed, volume->statistics());
+    applyTables(workspace, asset_, result.edit, result.step, result.function);
+    if (std::exchange(steepnessOf_, volume) != volume) {
+        steepness_ = gradientStatistics(*volume);
+        gradientPlot_.fit();
+    }
+    editGradientOpacity(workspace, shown, committed);
     opacityDistance(workspace);
+}
+
+// The factor's table is drawn as the opacity of a grey material over the magnitude.
+void AppearancePanel::editGradientOpacity(Workspace& workspace, const TransferFunction& shown,
+                                          const TransferFunction& committed) {
+    bool on = !shown.gradientOpacity.points.empty();
+    const Edit switched = ui::checkbox("Gradient opacity", on,
+                                       "Multiplies opacity by a factor that depends on how steeply values change: "
+                                       "flat regions vanish, surfaces stay.");
+    TransferFunction tables = shown;
+    tables.gradientOpacity.points.clear();
+    if (on) tables.gradientOpacity.points = {{0.05 * steepness_.max, 0}, {0.3 * steepness_.max, 1}};
+    applyTables(workspace, asset_, switched, "Change gradient opacity", tables);
+    if (shown.gradientOpacity.points.empty() || committed.gradientOpacity.points.empty() || !on) return;
+    const auto grey = [](const TransferFunction& function) {
+        return TransferFunction{ColorTable{{{0, Vec3(0.75)}}}, function.gradientOpacity, {}};
+    };
+    const TransferPlot::Result result = gradientPlot_.draw(grey(shown), grey(committed), steepness_);
+    tables.gradientOpacity = result.function.opacity;
+    applyTables(workspace, asset_, result.edit, result.step, tables);
 }
 
 }  // namespace voledit

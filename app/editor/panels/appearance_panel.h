@@ -9,14 +9,20 @@
 
 namespace voledit {
 
-/// Preset, transfer function, opacity distance of one of the scene's volumes.
+/// Preset, transfer function, factor over the gradient's magnitude, opacity distance of one of the scene's volumes.
 class AppearancePanel {
 public:
+    AppearancePanel();
+
     void draw(Workspace& workspace);
 
 private:
+    void editGradientOpacity(Workspace& workspace, const TransferFunction& shown, const TransferFunction& committed);
+
     std::string asset_;  // shown; another where the scene has no such volume
-    TransferPlot plot_;
+    TransferPlot plot_, gradientPlot_;
+    std::shared_ptr<const Volume> steepnessOf_;
+    VolumeStatistics steepness_;  // of it
 };
 
 }  // namespace voledit

@@ -53,7 +53,7 @@ struct TransferPlot::Geometry {
     double opacityOf(double y) const { return (plotMax.y - inset() - y) / (plotMax.y - plotMin.y - 2 * inset()); }
     Vec2 at(const Vec2& point) const { return {xOf(point.x), yOf(point.y)}; }
     Vec2 stopAt(double value) const { return {xOf(value), barMax.y}; }
-    bool inBar(const Vec2& p) const { return p.y >= barMin.y; }
+    bool inBar(const Vec2& p) const { return barMax.y > barMin.y && p.y >= barMin.y; }
     bool inView(double x) const { return x >= plotMin.x - 0.5 && x <= plotMax.x + 0.5; }
 };
 
@@ -63,9 +63,9 @@ TransferPlot::Geometry TransferPlot::geometry(const ValueRange& whole) const {
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     Geometry g{};
     g.plotMin = {cursor.x, cursor.y};
-    g.plotMax = g.plotMin + Vec2(width, 9.5 * em);
-    g.barMin = {g.plotMin.x, g.plotMax.y + 0.15 * em};
-    g.barMax = g.barMin + Vec2(width, 0.9 * em);
+    g.plotMax = g.plotMin + Vec2(width, words_.lines * em);
+    g.barMin = {g.plotMin.x, g.plotMax.y + (words_.colors ? 0.15 * em : 0)};
+    g.barMax = g.barMin + Vec2(width, words_.colors ? 0.9 * em : 0);
     g.view = view_.value_or(ValueRange{whole.low - margin, whole.high + margin});
     g.em = em;
     g.list = ImGui::GetWindowDrawList();
@@ -78,11 +78,11 @@ TransferPlot::Result TransferPlot::draw(const TransferFunction& shown, const Tra
     const Geometry g = geometry(whole);
     const ImVec2 size{float(g.plotMax.x - g.plotMin.x), float(g.barMax.y - g.plotMin.y + 0.5 * g.em)};
     ImGui::InvisibleButton(
-        "##transfer plot", size,
+        words_.plot, size,
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemUsingMouseWheel();
-    noteWidget("Opacity plot", g.plotMin, g.plotMax);
-    noteWidget("Color bar", g.barMin, g.barMax);
+    noteWidget(words_.plot, g.plotMin, g.plotMax);
+    if (words_.colors) noteWidget("Color bar", g.barMin, g.barMax);
     const bool hovered = ImGui::IsItemHovered();
     const Vec2 mouse{ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
     const Handle under = dragged_.part != Part::None ? dragged_ : hovered ? handleAt(g, shown, mouse) : Handle{};
@@ -105,7 +105,7 @@ TransferPlot::Result TransferPlot::draw(const TransferFunction& shown, const Tra
     g.list->PushClipRect(im(g.plotMin - Vec2(0.4 * g.em)), im(g.barMax + Vec2(0.6 * g.em)), true);
     drawHistogram(g, statistics);
     drawOpacity(g, result.function, under);
-    drawColors(g, result.function, under);
+    if (words_.colors) drawColors(g, result.function, under);
     if (hovered || start_) drawReadout(g, result.function);
     g.list->PopClipRect();
     drawAxis(g);
@@ -147,6 +147,10 @@ void TransferPlot::navigate(const Geometry& g, const ValueRange& whole) {
     }
 }
 
+std::string TransferPlot::stepOf(Part part) const {
+    return part == Part::Opacity ? words_.what : "colour";
+}
+
 void TransferPlot::press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar) {
     const ImGuiIO& io = ImGui::GetIO();
     const Vec2 at{g.valueOf(io.MousePos.x), g.opacityOf(io.MousePos.y)};
@@ -162,7 +166,7 @@ void TransferPlot::press(const Geometry& g, const TransferFunction& committed, c
     } else if (under.part != Part::None) {
         start_ = committed;
         dragged_ = under;
-        step_ = under.part == Part::Opacity ? "Edit opacity" : "Edit colour";
+        step_ = "Edit " + stepOf(under.part);
         if (under.part == Part::Opacity && under.index < committed.opacity.points.size())
             grab_ = at - committed.opacity.points[under.index];
         else if (under.part == Part::Color && under.index < committed.color.points.size())
@@ -172,7 +176,7 @@ void TransferPlot::press(const Geometry& g, const TransferFunction& committed, c
         grab_ = {0, 0};
         dragged_ = inBar ? Handle{Part::Color, insertStop(start_->color, at.x)}
                          : Handle{Part::Opacity, insertPoint(start_->opacity, at)};
-        step_ = inBar ? "Add colour" : "Add opacity point";
+        step_ = inBar ? "Add colour" : "Add " + stepOf(Part::Opacity) + " point";
         selected_ = dragged_;
         moved_ = true;
     }
@@ -209,7 +213,7 @@ void TransferPlot::removeHandle(Handle handle, Result& result) {
     if (handle.part == Part::Opacity) removed = removePoint(result.function.opacity, handle.index);
     if (handle.part == Part::Color) removed = removeStop(result.function.color, handle.index);
     if (!removed) return;
-    result.step = handle.part == Part::Opacity ? "Remove opacity point" : "Remove colour";
+    result.step = "Remove " + stepOf(handle.part) + (handle.part == Part::Opacity ? " point" : "");
     result.edit = {true, true, false};
     selected_ = {};
 }
@@ -259,7 +263,7 @@ void TransferPlot::drawOpacity(const Geometry& g, const TransferFunction& shown,
         const auto radius = float(g.em * (marked ? 0.36 : 0.29));
         g.list->AddCircleFilled(im(at), radius, packed(self == selected_ ? theme::kAccent : theme::kText));
         g.list->AddCircle(im(at), radius, packed(marked ? theme::kText : theme::kField), 0, float(g.em * 0.1));
-        noteWidget("Opacity point " + std::to_string(i + 1), at - Vec2(radius), at + Vec2(radius));
+        noteWidget(words_.point + (" " + std::to_string(i + 1)), at - Vec2(radius), at + Vec2(radius));
     }
 }
 
@@ -302,7 +306,8 @@ void TransferPlot::drawReadout(const Geometry& g, const TransferFunction& shown)
     const double x = std::clamp(double(ImGui::GetIO().MousePos.x), g.plotMin.x, g.plotMax.x), value = g.valueOf(x);
     g.list->AddLine(im({x, g.plotMin.y}), im({x, g.barMax.y}), packed(theme::kText, 0.25f));
     char label[96];
-    std::snprintf(label, sizeof label, "%.*f   opacity %.3f", decimalsFor(g.view.size()), value, shown.opacity(value));
+    std::snprintf(label, sizeof label, "%.*f   %s %.3f", decimalsFor(g.view.size()), value, words_.what,
+                  shown.opacity(value));
     ImGui::PushFont(font(FontRole::Small));
     const ImVec2 size = ImGui::CalcTextSize(label);
     const Vec2 at = g.plotMin + Vec2(0.4 * g.em, 0.25 * g.em);
@@ -321,11 +326,12 @@ void TransferPlot::entry(const TransferFunction& committed, const ValueRange& wh
     if (selected_.part == Part::Opacity && selected_.index < result.function.opacity.points.size()) {
         const std::size_t i = selected_.index;
         Vec2 at = result.function.opacity.points[i];
-        Edit edit = ui::number("Value", at.x, values, "Data value of the selected point");
-        edit = edit | ui::number("Opacity", at.y, opacities, "Opacity of one opacity distance of the material");
+        Edit edit = ui::number(words_.where, at.x, values, words_.whereHelp);
+        edit = edit | ui::number(words_.height, at.y, opacities, words_.help);
         if (start_ || i >= committed.opacity.points.size()) return;
         if (edit.changed) movePoint(result.function.opacity, i, at);
-        if (edit.changed || edit.finished || edit.cancelled) result.edit = edit, result.step = "Edit opacity";
+        if (edit.changed || edit.finished || edit.cancelled)
+            result.edit = edit, result.step = "Edit " + stepOf(Part::Opacity);
     } else if (selected_.part == Part::Color && selected_.index < result.function.color.points.size()) {
         const std::size_t i = selected_.index;
         double value = result.function.color.points[i].value;

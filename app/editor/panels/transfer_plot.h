@@ -13,11 +13,27 @@ struct ImVec2;
 
 namespace voledit {
 
+/// What a plot calls its parts, in names of widgets and of undo steps.
+struct PlotWords {
+    const char* plot = "Opacity plot";
+    const char* point = "Opacity point";  // and its number
+    const char* height = "Opacity";       // of a point
+    const char* help = "Opacity of one opacity distance of the material";
+    const char* what = "opacity";  // is edited
+    const char* where = "Value";   // a point is, along the axis
+    const char* whereHelp = "Data value of the selected point";
+    double lines = 9.5;  // of letters, that it is high
+    bool colors = true;  // has them below, in a bar
+};
+
 /// Double click adds a point or a stop, a drag moves it (Shift+drag: all of them along the values), right click or
 /// Delete takes it away. The wheel zooms the value axis about the mouse, a middle drag pans it. Keeps what is selected
 /// and which values are in view; the tables are the scene's.
 class TransferPlot {
 public:
+    TransferPlot() = default;
+    explicit TransferPlot(const PlotWords& words) : words_(words) {}
+
     /// The tables after this frame's input, and what the input was.
     struct Result {
         TransferFunction function;
@@ -41,6 +57,7 @@ private:
     };
 
     Geometry geometry(const ValueRange& whole) const;
+    std::string stepOf(Part part) const;
     Handle handleAt(const Geometry& g, const TransferFunction& shown, const Vec2& mouse) const;
     void navigate(const Geometry& g, const ValueRange& whole);
     void press(const Geometry& g, const TransferFunction& committed, const Handle& under, bool inBar);
@@ -53,6 +70,7 @@ private:
     void drawReadout(const Geometry& g, const TransferFunction& shown) const;
     void entry(const TransferFunction& committed, const ValueRange& whole, Result& result);
 
+    PlotWords words_;
     std::optional<ValueRange> view_;  // values in view; nullopt: all
     Handle selected_, dragged_;
     std::optional<TransferFunction> start_;  // the tables that the drag began with

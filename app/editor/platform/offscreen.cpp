@@ -41,7 +41,7 @@ public:
     Picture screenshot(Editor& editor) override {
         if (!context_) {
             context_ = createOffscreenContext(gl_);
-            painter_ = std::make_unique<Painter>();
+            painter_ = std::make_unique<Painter>(true);
         }
         context_->makeCurrent();
         return painter_->screenshot(editor);

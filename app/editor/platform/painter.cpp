@@ -2,13 +2,20 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/editor/theme.h"
 #include "core/base/error.h"
 #include "core/base/paths.h"
 
 namespace voledit {
 
-Painter::Painter() : shaders_(shaderFolder()), interface_(shaders_), picture_(shaders_) {}
+namespace {
+// Of a played frame a part is left over, so that one that trembles is not dropped.
+constexpr double kPlayedShare = 0.9;
+}  // namespace
+
+Painter::Painter(bool headless) : shaders_(shaderFolder()), interface_(shaders_), picture_(shaders_, headless) {}
 
 void Painter::guarded(Editor& editor, const std::function<void()>& draw) {
     try {
@@ -20,13 +27,17 @@ void Painter::guarded(Editor& editor, const std::function<void()>& draw) {
     }
 }
 
-void Painter::paint(Editor& editor, GLuint framebuffer, double budgetMs) {
+bool Painter::update(Editor& editor, double restMs) {
     const Workspace& workspace = editor.workspace();
-    ViewportPicture::Budget budget{.refineMs = budgetMs};
-    if (const auto frame = editor.playedFrame()) budget.playedMs = 1000 * *frame;
-    if (workspace.open)
-        guarded(editor, [&] { picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, budget); });
-    drawWindow(editor, framebuffer);
+    if (!workspace.open) return false;
+    PictureSchedule::Frame frame{.budgetMs = workspace.frameBudgetMs, .restMs = restMs, .refines = true};
+    if (const auto played = editor.playedFrame())
+        frame = {
+            .budgetMs = std::min(frame.budgetMs, kPlayedShare * 1000 * *played), .restMs = restMs, .refines = false};
+    bool isNew = false;
+    guarded(editor,
+            [&] { isNew = picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, frame); });
+    return isNew;
 }
 
 Picture Painter::screenshot(Editor& editor) {
@@ -36,7 +47,7 @@ Picture Painter::screenshot(Editor& editor) {
     const Index2 size(int(display.x), int(display.y));
     const Texture canvas = makeTexture2D(GL_RGBA8, size);
     const Framebuffer target = makeFramebuffer(canvas.name(), 0, false);
-    drawWindow(editor, target.name());
+    draw(editor, target.name());
     std::vector<std::uint8_t> bytes(std::size_t(size.x) * std::size_t(size.y) * 4);
     glGetTextureImage(canvas.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(bytes.size()), bytes.data());
     Picture picture(size);
@@ -49,7 +60,7 @@ Picture Painter::screenshot(Editor& editor) {
     return picture;
 }
 
-void Painter::drawWindow(Editor& editor, GLuint framebuffer) {
+void Painter::draw(Editor& editor, GLuint framebuffer) {
     const Workspace& workspace = editor.workspace();
     const ImDrawData& data = editor.drawData();
     if (fontsBuilt_ != editor.fontsBuilt()) interface_.uploadFonts();
@@ -62,8 +73,11 @@ void Painter::drawWindow(Editor& editor, GLuint framebuffer) {
     glClearColor(theme::kWindow.x, theme::kWindow.y, theme::kWindow.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     interface_.draw(data, view);
-    if (workspace.open) editor.drawnBy(picture_.rendererName(), picture_.slicesProblem());
-    editor.refinement = picture_.progress();
+    if (workspace.open) editor.drawnBy(picture_.rendererName(), picture().slicesProblem());
+    editor.picture = {.size = picture().pictureSize(),
+                      .of = picture().viewSize(),
+                      .progress = picture().progress(),
+                      .why = picture().reason()};
 }
 
 }  // namespace voledit

@@ -13,18 +13,20 @@ namespace voledit {
 /// Needs a current context, the same one for every call and for destruction.
 class Painter {
 public:
-    Painter();
+    /// `headless`: pictures do not depend on time.
+    explicit Painter(bool headless);
 
-    /// Draws the editor's last frame into `framebuffer` (of the window's size); the picture previews or refines for
-    /// `budgetMs`. A problem of the renderer becomes a notice.
-    void paint(Editor& editor, GLuint framebuffer, double budgetMs);
+    /// Lets the viewport's picture follow the editor's last frame, `restMs` of whose budget something else takes. True
+    /// where the window shows something new. A problem of the renderer becomes a notice.
+    bool update(Editor& editor, double restMs);
+    /// Draws the window of the editor's last frame into `framebuffer` (of the window's size).
+    void draw(Editor& editor, GLuint framebuffer);
     /// The same to full quality, as a picture of the window.
     Picture screenshot(Editor& editor);
 
-    const ViewportPicture& picture() const { return picture_; }
+    const PictureSchedule& picture() const { return picture_.schedule(); }
 
 private:
-    void drawWindow(Editor& editor, GLuint framebuffer);
     void guarded(Editor& editor, const std::function<void()>& draw);
 
     ShaderLibrary shaders_;

@@ -19,7 +19,7 @@ namespace voledit {
 
 namespace {
 
-constexpr double kRefineMs = 25;        // of a frame, for the picture
+constexpr double kSeenSeconds = 0.1;    // a window in which nothing but the progress changes is drawn so often
 constexpr double kShortestWait = 1e-3;  // seconds
 constexpr double kSettleSeconds = 1.2;  // after input: tooltips, hover
 constexpr int kSettleFrames = 3;        // ImGui lays some things out a frame or two later
@@ -115,7 +115,7 @@ public:
     Index2 size() const override;
     FrameInput nextFrame(bool busy, double atMost) override;
     void show(Editor& editor) override;
-    bool refining() const override { return painter_ && !painter_->picture().finished(); }
+    bool refining() const override { return painter_ && painter_->picture().busy(); }
     Picture screenshot(Editor& editor) override { return painter_->screenshot(editor); }
 
 private:
@@ -132,8 +132,10 @@ private:
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors_{};
     std::vector<InputEvent> events_;
     InteractionClock clock_;
-    double lastFrame_ = 0, lastInput_ = 0;
+    double lastFrame_ = 0, lastInput_ = 0, lastDrawn_ = 0;
+    double restMs_ = 0;  // of the last frame that followed a change, all but the picture
     int settle_ = kSettleFrames;
+    bool softwareGl_ = false;
     bool close_ = false;
     bool rescaled_ = false;
     bool prepared_ = false;
@@ -157,7 +159,8 @@ Window::Window(const EditorOptions& options) {
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     loadGl([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); });
-    painter_ = std::make_unique<Painter>();
+    softwareGl_ = voledit::softwareGl();
+    painter_ = std::make_unique<Painter>(false);
     listen();
     lastFrame_ = lastInput_ = glfwGetTime();
 }
@@ -239,10 +242,21 @@ FrameInput Window::nextFrame(bool busy, double atMost) {
 void Window::show(Editor& editor) {
     if (!prepared_) prepareImGui();
     if (std::exchange(rescaled_, false)) editor.setScale(displayScale());
-    painter_->paint(editor, 0, kRefineMs);
+    const PictureSchedule& picture = painter_->picture();
+    const bool worksOn = picture.busy();
+    const double start = glfwGetTime();
+    const bool isNew = painter_->update(editor, restMs_);
+    const double pictureSeconds = glfwGetTime() - start;
+    const bool changed = picture.changed();
+    // What refines is worth more than drawing the same window again.
+    if (worksOn && !isNew && !changed && settle_ == 0 && start - lastDrawn_ < kSeenSeconds) return;
+    painter_->draw(editor, 0);
+    const double drawn = glfwGetTime();
     glfwSwapBuffers(window_);
-    const double now = glfwGetTime();
-    clock_.frame(painter_->picture().changed(), refining(), lastFrame_, now);
+    const double now = lastDrawn_ = glfwGetTime();
+    // Swapping waits for the screen where a GPU draws, and for the drawing where none does.
+    if (changed) restMs_ = 1000 * ((softwareGl_ ? now : drawn) - lastFrame_ - pictureSeconds);
+    clock_.note({.start = lastFrame_, .shown = now, .changed = changed, .picture = isNew, .final = picture.finished()});
     editor.times = clock_.times();
     updateCursor();
     updateTitle(editor.workspace());

@@ -117,6 +117,46 @@ TEST_F(AppearancePanelTest, ColourStopsAreAddedMovedAndPainted) {
     EXPECT_NE(tables().color.points[1].color.x, tables().color.points[1].color.z);
 }
 
+TEST_F(AppearancePanelTest, GradientOpacityIsSwitchedOnAndOffByOneStepEach) {
+    ui.frame();
+    const TransferFunction before = tables();
+    EXPECT_FALSE(ui.has("Gradient plot"));
+    ui.click("Gradient opacity");
+    ASSERT_EQ(tables().gradientOpacity.points.size(), 2u);
+    EXPECT_EQ(tables().opacity, before.opacity);
+    EXPECT_EQ(tables().color, before.color);
+    // Values grow by 500 in 10 units everywhere.
+    EXPECT_GT(tables().gradientOpacity.points[0].x, 0);
+    EXPECT_LT(tables().gradientOpacity.points[1].x, 50);
+    ui.frame();
+    EXPECT_TRUE(ui.has("Gradient plot"));
+    ui.click("Gradient opacity");
+    EXPECT_TRUE(tables().gradientOpacity.points.empty());
+    EXPECT_THAT(document().undoNames(), ElementsAre("Change gradient opacity", "Change gradient opacity"));
+    document().undo();
+    document().undo();
+    EXPECT_EQ(tables(), before);
+}
+
+TEST_F(AppearancePanelTest, AGradientPointIsDraggedInOneStepAndLeavesTheRest) {
+    ui.frame();
+    ui.click("Gradient opacity");
+    ui.frame();
+    const TransferFunction before = tables();
+    ui.drag(ui.at("Gradient point 2"), ui.at("Gradient point 2") + Vec2(40, 20));
+    EXPECT_GT(tables().gradientOpacity.points[1].x, before.gradientOpacity.points[1].x);
+    EXPECT_LT(tables().gradientOpacity.points[1].y, 1);
+    EXPECT_EQ(tables().opacity, before.opacity);
+    EXPECT_EQ(tables().color, before.color);
+    EXPECT_THAT(document().undoNames(), ElementsAre("Change gradient opacity", "Edit factor"));
+    ui.frame();
+    ui.enter("Factor", "0.5");
+    EXPECT_EQ(tables().gradientOpacity.points[1].y, 0.5);
+    document().undo();
+    document().undo();
+    EXPECT_EQ(tables(), before);
+}
+
 TEST_F(AppearancePanelTest, ShiftDragMovesEverything) {
     ui.frame();
     ui.hold(Key::Shift, true);
