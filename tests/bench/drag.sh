@@ -23,7 +23,7 @@ do appearance.preset $preset
 do lattice.add
 wait idle
 drag @point(lattice,3,0,3) to @point(lattice,3,0,3)+90,-60 steps 30
-drag @point(lattice,3,0,3) to @point(lattice,3,0,3)-90,60 steps 60
+drag @point(lattice,3,0,3) to @point(lattice,3,0,3)+-90,60 steps 60
 state $work/dragging.json
 wait idle
 state $work/drag.json
