@@ -64,7 +64,8 @@ public:
 
     /// One frame. Problems become notices; nothing is thrown for them.
     void frame(const FrameInput& input);
-    /// What the frame is drawn from: ImGui's triangles, with texture `kViewTexture` where the viewport's picture goes.
+    /// What the frame is drawn from: ImGui's triangles, with texture `kViewTexture` where the viewport's picture lies
+    /// below everything else.
     const ImDrawData& drawData() const;
     static constexpr unsigned kViewTexture = ~0u;
     const Overlay& overlay() const { return overlay_; }

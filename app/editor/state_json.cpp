@@ -69,6 +69,8 @@ std::string stateJson(const Editor& editor) {
     if (editor.times) {
         state["frame_ms"] = editor.times->frameMs;
         state["pictures_per_second"] = editor.times->picturesPerSecond;
+        state["renderer_why"] = editor.picture.why;
+        state["picture"] = {editor.picture.size.x, editor.picture.size.y};
         state["refined_ms"] = editor.times->refinedMs;
     }
     return state.dump(2) + "\n";

@@ -29,7 +29,7 @@ private:
     bool visible_ = false, opening_ = false;
     FileBrowser browser_;
     std::string path_;
-    int width_ = 0, height_ = 0, samples_ = 1, renderer_ = 0;
+    int width_ = 0, height_ = 0, samples_ = 0, renderer_ = 0;
     bool transparent_ = false;
 };
 

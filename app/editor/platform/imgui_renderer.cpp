@@ -39,8 +39,7 @@ void ImGuiRenderer::uploadFonts() {
     glTextureSubImage2D(fonts_.name(), 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
-void ImGuiRenderer::draw(const ImDrawData& data, GLuint viewTexture) {
-    viewTexture_ = viewTexture;
+void ImGuiRenderer::draw(const ImDrawData& data) {
     if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
     glViewport(0, 0, GLsizei(data.DisplaySize.x), GLsizei(data.DisplaySize.y));
     glEnable(GL_BLEND);
@@ -75,9 +74,10 @@ void ImGuiRenderer::drawList(const ImDrawList& list, float height) {
 void ImGuiRenderer::drawCommand(const ImDrawCmd& command, float height) {
     const ImVec4& clip = command.ClipRect;
     if (clip.z <= clip.x || clip.w <= clip.y) return;
-    glScissor(GLint(clip.x), GLint(height - clip.w), GLsizei(clip.z - clip.x), GLsizei(clip.w - clip.y));
     const auto id = GLuint(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
-    glBindTextureUnit(0, id == 0 ? fonts_.name() : id == Editor::kViewTexture ? viewTexture_ : id);
+    if (id == Editor::kViewTexture) return;
+    glScissor(GLint(clip.x), GLint(height - clip.w), GLsizei(clip.z - clip.x), GLsizei(clip.w - clip.y));
+    glBindTextureUnit(0, id == 0 ? fonts_.name() : id);
     constexpr GLenum type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
     const auto* offset = reinterpret_cast<const void*>(std::uintptr_t(command.IdxOffset) * sizeof(ImDrawIdx));
     glDrawElementsBaseVertex(GL_TRIANGLES, GLsizei(command.ElemCount), type, offset, GLint(command.VtxOffset));

@@ -18,9 +18,9 @@ public:
     /// Uploads the font atlas of the current ImGui context; again after the fonts changed.
     void uploadFonts();
 
-    /// Draws over the bound framebuffer, whose size must be the draw data's. Texture 0 means the fonts,
-    /// Editor::kViewTexture means `viewTexture`, any other number is a GL texture's name.
-    void draw(const ImDrawData& data, GLuint viewTexture);
+    /// Draws over the bound framebuffer, whose size must be the draw data's. Texture 0 means the fonts, any other
+    /// number is a GL texture's name; what has Editor::kViewTexture is there already.
+    void draw(const ImDrawData& data);
 
 private:
     void drawList(const ImDrawList& list, float height);
@@ -30,7 +30,6 @@ private:
     VertexArray array_;
     Buffer vertices_, indices_;
     Texture fonts_;
-    GLuint viewTexture_ = 0;
 };
 
 }  // namespace voledit

@@ -60,19 +60,34 @@ Picture Painter::screenshot(Editor& editor) {
     return picture;
 }
 
+void Painter::clear() const {
+    glClearColor(theme::kWindow.x, theme::kWindow.y, theme::kWindow.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+// Copied, not drawn as a textured rectangle of the interface: without a GPU that takes several times as long.
+void Painter::drawPicture(Editor& editor, GLuint framebuffer) {
+    const Workspace& workspace = editor.workspace();
+    const GLuint from = picture_.framebuffer(editor.overlay(), workspace.compiled.camera);
+    const Index2 size = picture().viewSize(),
+                 low(workspace.viewOrigin.x, int(editor.drawData().DisplaySize.y) - workspace.viewOrigin.y - size.y);
+    glBlitNamedFramebuffer(from, framebuffer, 0, 0, size.x, size.y, low.x, low.y, low.x + size.x, low.y + size.y,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void Painter::draw(Editor& editor, GLuint framebuffer) {
     const Workspace& workspace = editor.workspace();
     const ImDrawData& data = editor.drawData();
     if (fontsBuilt_ != editor.fontsBuilt()) interface_.uploadFonts();
     fontsBuilt_ = editor.fontsBuilt();
-    GLuint view = 0;
-    if (workspace.open) guarded(editor, [&] { view = picture_.texture(editor.overlay(), workspace.compiled.camera); });
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, GLsizei(data.DisplaySize.x), GLsizei(data.DisplaySize.y));
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(theme::kWindow.x, theme::kWindow.y, theme::kWindow.z, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    interface_.draw(data, view);
+    // Picture and panels cover the whole window, where there is a picture.
+    if (!workspace.open || picture().viewSize() != workspace.viewSize) clear();
+    if (workspace.open) guarded(editor, [&] { drawPicture(editor, framebuffer); });
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    interface_.draw(data);
     if (workspace.open) editor.drawnBy(picture_.rendererName(), picture().slicesProblem());
     editor.picture = {.size = picture().pictureSize(),
                       .of = picture().viewSize(),

@@ -27,6 +27,8 @@ public:
     const PictureSchedule& picture() const { return picture_.schedule(); }
 
 private:
+    void clear() const;
+    void drawPicture(Editor& editor, GLuint framebuffer);
     void guarded(Editor& editor, const std::function<void()>& draw);
 
     ShaderLibrary shaders_;

@@ -110,14 +110,14 @@ void ViewportPicture::finish(const CompiledScene& scene, Index2 size, RendererCh
     if (schedule_.finish(scene, size, choice)) present(Vec3f(scene.render.background));
 }
 
-GLuint ViewportPicture::texture(const Overlay& overlay, const Camera& camera) {
-    if (overlay.lines.empty() && overlay.points.empty()) return base_.name();
+GLuint ViewportPicture::framebuffer(const Overlay& overlay, const Camera& camera) {
+    if (overlay.lines.empty() && overlay.points.empty()) return baseTarget_.name();
     glBlitNamedFramebuffer(baseTarget_.name(), shownTarget_.name(), 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, shownTarget_.name());
     glViewport(0, 0, size_.x, size_.y);
     overlays_.draw(overlay, camera, size_);
-    return shown_.name();
+    return shownTarget_.name();
 }
 
 }  // namespace voledit

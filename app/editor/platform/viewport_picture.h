@@ -29,8 +29,8 @@ public:
     /// Draws the full-quality picture at once, unless it is there.
     void finish(const CompiledScene& scene, Index2 size, RendererChoice choice);
 
-    /// Puts `overlay` over the picture and gives the texture of both: RGBA8, `size` of the last update.
-    GLuint texture(const Overlay& overlay, const Camera& camera);
+    /// Puts `overlay` over the picture and gives a framebuffer with both, of the size of the last update.
+    GLuint framebuffer(const Overlay& overlay, const Camera& camera);
 
     const PictureSchedule& schedule() const { return schedule_; }
     /// "slices" or "rays".

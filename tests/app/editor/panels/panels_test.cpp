@@ -31,7 +31,9 @@ TEST_F(PanelsTest, RenderPanelEditsTheSettings) {
     EXPECT_TRUE(document().undoNames().empty());  // not part of the scene
     ui.drag("Ambient", {40, 0});
     EXPECT_GT(document().scene().render.ambient, 0.3);
-    ui.click("Light/Fixed");
+    ui.click("Light");
+    ui.frame();
+    ui.click("Light/Fixed direction");
     EXPECT_TRUE(document().scene().render.light.has_value());
     ui.frame();
     ui.enter("Direction X", "3");
@@ -41,7 +43,36 @@ TEST_F(PanelsTest, RenderPanelEditsTheSettings) {
     ui.frame();
     EXPECT_FALSE(ui.has("Ambient"));
     EXPECT_THAT(document().undoNames(),
-                ElementsAre("Change ambient light", "Change light", "Change light", "Change shading"));
+                ElementsAre("Change ambient", "Change light", "Change light", "Change shading"));
+}
+
+TEST_F(PanelsTest, RenderPanelChoosesLightsAndTones) {
+    test::PanelHarness ui{[&] { drawRenderPanel(workspace); }};
+    ui.click("Light");
+    ui.frame();
+    ui.click("Light/Dramatic");
+    EXPECT_EQ(document().scene().render.rig, LightRig::Dramatic);
+    EXPECT_FALSE(document().scene().render.light.has_value());
+    EXPECT_FALSE(ui.has("Occlusion radius"));
+    ui.drag("Occlusion", {40, 0});
+    EXPECT_GT(document().scene().render.occlusion, 0);
+    ui.frame();
+    EXPECT_TRUE(ui.has("Occlusion radius"));
+    ui.drag("Shadows", {60, 0});
+    EXPECT_GT(document().scene().render.shadows, 0);
+    ui.click("Tone mapping/Filmic");
+    EXPECT_EQ(document().scene().render.toneMapping, ToneMapping::Filmic);
+    ui.click("Transparent");
+    EXPECT_TRUE(document().scene().render.transparent);
+    EXPECT_THAT(document().undoNames(), ElementsAre("Change light", "Change occlusion", "Change shadows",
+                                                    "Change tone mapping", "Change transparent"));
+}
+
+TEST_F(PanelsTest, TheFrameBudgetIsNoEditOfTheScene) {
+    test::PanelHarness ui{[&] { drawRenderPanel(workspace); }};
+    ui.enter("Frame budget", "50");
+    EXPECT_EQ(workspace.frameBudgetMs, 50);
+    EXPECT_TRUE(document().undoNames().empty());
 }
 
 TEST_F(PanelsTest, HistoryPanelGoesBackAndForth) {
