@@ -6,6 +6,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/rays/packet_lanes-inl.h"
 #include "core/rays/packet_voxels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,20 +21,25 @@ constexpr float kShort = 2e-3F;
 // What contributes less is left unlit.
 constexpr float kFaint = 5e-5F;
 
-HWY_INLINE Real load(const float* values) {
-    return hn::Load(F(), values);
-}
-
-/// The pieces that the lanes are on.
+/// The pieces that the lanes are on: there the place in index space is start + u · step.
 class Lanes {
 public:
-    explicit Lanes(const RayPacket& packet) : packet_(packet) {
+    Lanes(const PacketVolume& volume, const RayPacket& packet) : cells_(volume.cells), packet_(packet) {
         for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
             next_[l] = 0;
             begin_[l] = end_[l] = 0;
             for (std::size_t a = 0; a < 3; ++a) start_[a][l] = step_[a][l] = inverse_[a][l] = 0;
             if (take(l)) alive_ |= 1U << l;
         }
+        if (!cells_)
+            for (std::size_t a = 0; a < 3; ++a) {
+                const Real along = load(packet.along[a].data());
+                const Mask moves = hn::Ne(along, hn::Zero(F()));
+                start[a] = load(packet.base[a].data());
+                step[a] = along;
+                inverse[a] =
+                    hn::IfThenElse(moves, hn::Div(real(1), hn::IfThenElse(moves, along, real(1))), real(1e30F));
+            }
         reload();
     }
 
@@ -41,20 +47,21 @@ public:
     Real inverse[3];  // of step
 
     std::uint32_t alive() const { return alive_; }
-    std::uint32_t cell(std::size_t lane) const { return cell_[lane]; }
+    /// The piece's own map and turn; null where its cell has them.
+    const OwnPiece* own(std::size_t l) const {
+        return cell_[l] & kOwnPiece ? &packet_.own[cell_[l] - kOwnPiece] : nullptr;
+    }
+    const PacketCell& cell(std::size_t l) const { return cells_->cells[cell_[l]]; }
+    const std::array<std::uint32_t, 4>& corners(std::size_t l) const { return cells_->corners[cell_[l]]; }
 
     /// Moves lane l on to its next piece; false where there is none.
     bool take(std::size_t l) {
-        if (next_[l] == packet_.pieces[l].size()) return false;
-        const RayPiece& piece = packet_.pieces[l][next_[l]++];
-        begin_[l] = piece.begin;
-        end_[l] = piece.end;
-        cell_[l] = piece.cell;
-        for (std::size_t a = 0; a < 3; ++a) {
-            start_[a][l] = piece.start[a];
-            step_[a][l] = piece.step[a];
-            inverse_[a][l] = piece.step[a] != 0 ? 1 / piece.step[a] : 1e30F;
-        }
+        if (next_[l] == packet_.hits[l].size()) return false;
+        const CellHit& hit = packet_.hits[l][next_[l]++];
+        begin_[l] = hit.begin;
+        end_[l] = hit.end;
+        cell_[l] = hit.cell;
+        if (cells_) enter(l);
         return true;
     }
     /// Moves lane l on to the piece that u lies on, as far as pieces touch; gives u, or where the run ends before it.
@@ -66,25 +73,49 @@ public:
         return u;
     }
     bool touchesNext(std::size_t l) const {
-        const auto& pieces = packet_.pieces[l];
-        return next_[l] < pieces.size() && pieces[next_[l]].begin <= end_[l] + kTouching;
+        const auto& hits = packet_.hits[l];
+        return next_[l] < hits.size() && hits[next_[l]].begin <= end_[l] + kTouching;
     }
     float beginOf(std::size_t l) const { return begin_[l]; }
     float endOf(std::size_t l) const { return end_[l]; }
 
     /// After pieces were taken.
     HWY_INLINE void reload() {
-        for (std::size_t a = 0; a < 3; ++a) {
-            start[a] = load(start_[a].data());
-            step[a] = load(step_[a].data());
-            inverse[a] = load(inverse_[a].data());
-        }
+        if (cells_)
+            for (std::size_t a = 0; a < 3; ++a) {
+                start[a] = load(start_[a].data());
+                step[a] = load(step_[a].data());
+                inverse[a] = load(inverse_[a].data());
+            }
         begin = load(begin_.data());
         end = load(end_.data());
     }
 
 private:
+    /// Takes lane l's ray through the map of its cell.
+    HWY_INLINE void enter(std::size_t l) {
+        Quad from, along;
+        if (const OwnPiece* piece = own(l); HWY_UNLIKELY(piece != nullptr)) {
+            from = quad(piece->start);
+            along = quad(piece->step);
+        } else {
+            const auto& map = cell(l).index;
+            const auto& b = packet_.base;
+            const auto& a = packet_.along;
+            const Quad x = quad(map[0]), y = quad(map[1]), z = quad(map[2]);
+            from = x * b[0][l] + y * b[1][l] + z * b[2][l] + quad(map[3]);
+            along = x * a[0][l] + y * a[1][l] + z * a[2][l];
+        }
+        const Quad perStep = along != 0 ? 1 / along : Quad{1e30F, 1e30F, 1e30F, 1e30F};
+        for (std::size_t a = 0; a < 3; ++a) {
+            start_[a][l] = from[a];
+            step_[a][l] = along[a];
+            inverse_[a][l] = perStep[a];
+        }
+    }
+
     using Floats = std::array<float, RayPacket::kMost>;
+    const PacketCells* cells_;
     const RayPacket& packet_;
     std::array<std::size_t, RayPacket::kMost> next_{};
     std::array<std::uint32_t, RayPacket::kMost> cell_{};
@@ -96,26 +127,6 @@ private:
     alignas(64) Floats end_;
 };
 
-HWY_INLINE Mask none() {
-    return hn::Lt(hn::Zero(F()), hn::Zero(F()));
-}
-HWY_INLINE Mask all() {
-    return hn::Eq(hn::Zero(F()), hn::Zero(F()));
-}
-HWY_INLINE std::uint32_t bitsOf(Mask mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(F(), mask, bits);
-    return std::uint32_t(bits[0]) | std::uint32_t(bits[1]) << 8;
-}
-HWY_INLINE Mask maskOf(std::uint32_t bits) {
-    const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
-    return hn::LoadMaskBits(F(), bytes);
-}
-template <class Body>
-HWY_INLINE void forLanes(std::uint32_t bits, const Body& body) {
-    for (; bits; bits &= bits - 1) body(std::size_t(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
-}
-
 template <class Voxels>
 class Caster {
 public:
@@ -125,7 +136,7 @@ public:
           table_(*volume.table),
           skip_(*volume.skip),
           packet_(packet),
-          lanes_(packet),
+          lanes_(volume, packet),
           side_(real(float(1 << skip_.shift))),
           perSide_(real(1.0F / float(1 << skip_.shift))),
           scale_(real(table_.scale)),
@@ -199,10 +210,8 @@ private:
             if (!hn::AllFalse(F(), over)) takeNext(over);
             const Mask on = hn::And(moved, active_);
             if (hn::AllFalse(F(), on)) break;
-            const Whole before = distance_;
             findBrick(positionAt(u_));
             empty = hn::And(on, hn::RebindMask(F(), hn::Gt(distance_, whole(0))));
-            (void)before;
         }
     }
 
@@ -323,12 +332,42 @@ private:
             faces = hn::And(lit, atFaces(access_, place));
         }
         if (HWY_UNLIKELY(!hn::AllFalse(F(), faces))) g = differencesAtFaces(faces, place, g);
-        const auto& m = volume_.worldFromGradient;
+        if (volume_.cells) return turnedByCells(lit, u, g);
+        const auto& m = volume_.turn;
         const auto row = [&](std::size_t r) HWY_ATTR {
-            return hn::Add(hn::Add(hn::Mul(real(m[r]), g.x), hn::Mul(real(m[r + 1]), g.y)),
-                           hn::Mul(real(m[r + 2]), g.z));
+            return hn::Add(hn::Add(hn::Mul(real(m[0][r]), g.x), hn::Mul(real(m[1][r]), g.y)),
+                           hn::Mul(real(m[2][r]), g.z));
         };
-        return {row(0), row(3), row(6)};
+        return {row(0), row(1), row(2)};
+    }
+
+    /// Gradients turned by what the corners of each lane's cell say, interpolated at u.
+    HWY_NOINLINE Real3 turnedByCells(Mask lit, Real u, const Real3& differences) const {
+        alignas(64) RayPacket::Lanes at[3], g[3];
+        const Real components[3] = {differences.x, differences.y, differences.z};
+        for (std::size_t a = 0; a < 3; ++a) {
+            hn::Store(hn::Add(load(packet_.base[a].data()), hn::Mul(u, load(packet_.along[a].data()))), F(),
+                      at[a].data());
+            hn::Store(components[a], F(), g[a].data());
+        }
+        forLanes(bitsOf(lit), [&](std::size_t l) HWY_ATTR {
+            const auto turnedBy = [&](const GradientTurn& turn) HWY_ATTR {
+                return quad(turn[0]) * g[0][l] + quad(turn[1]) * g[1][l] + quad(turn[2]) * g[2][l];
+            };
+            Quad turned{};
+            if (const OwnPiece* piece = lanes_.own(l); HWY_UNLIKELY(piece != nullptr)) {
+                turned = turnedBy(piece->turn);
+            } else {
+                const auto& plane = lanes_.cell(l).plane;
+                const auto& corners = lanes_.corners(l);
+                Quad weight =
+                    quad(plane[0]) * at[0][l] + quad(plane[1]) * at[1][l] + quad(plane[2]) * at[2][l] + quad(plane[3]);
+                weight = weight > 0 ? weight : Quad{};  // rounding may take the point out of its cell
+                for (std::size_t v = 0; v < 4; ++v) turned += weight[v] * turnedBy(volume_.cells->turn[corners[v]]);
+            }
+            for (std::size_t a = 0; a < 3; ++a) g[a][l] = turned[a];
+        });
+        return {load(g[0].data()), load(g[1].data()), load(g[2].data())};
     }
 
     HWY_NOINLINE Real3 differencesAtFaces(Mask faces, const Place& place, const Real3& inner) const {

@@ -8,18 +8,10 @@
 
 #include "core/fields/volume.h"
 #include "core/rays/optical_table.h"
+#include "core/rays/packet_cells.h"
 #include "core/rays/skip_grid.h"
 
 namespace voledit {
-
-/// A piece of a ray on which the map to the volume's index space is affine: x(u) = start + u · step, u counted in steps
-/// along the whole ray. Samples lie at whole u, and where a run of pieces that touch begins and ends.
-struct RayPiece {
-    float begin, end;            // u
-    std::array<float, 3> start;  // x at u = 0
-    std::array<float, 3> step;
-    std::uint32_t cell;  // whose Jacobians turn gradients; unused where one matrix does
-};
 
 /// How samples are lit; as RenderSettings, and world directions.
 struct PacketLight {
@@ -34,7 +26,10 @@ struct PacketVolume {
     const Volume* volume = nullptr;
     const OpticalTable* table = nullptr;
     const SkipGrid* skip = nullptr;
-    std::array<float, 9> worldFromGradient{};  // row by row: differences of one voxel to world space
+    /// Where set, rays are straight in cell space, and the cells lead to the volume's index space and turn gradients;
+    /// else they are straight in index space, and `turn` does.
+    const PacketCells* cells = nullptr;
+    GradientTurn turn{};
     PacketLight light;
 };
 
@@ -42,14 +37,18 @@ struct PacketVolume {
 /// 32-bit offsets reach, in a type that single precision holds well.
 bool packable(const Volume& volume);
 
-/// Rays that go on together: `count` lanes at most packetShape()'s x · y.
+/// Rays that go on together: `count` lanes at most packetShape()'s x · y. The lane's place after u steps is
+/// base + u · along; samples lie at whole u, and where a run of hits that touch begins and ends.
 struct RayPacket {
     static constexpr std::size_t kMost = 16;
-    std::array<std::span<const RayPiece>, kMost> pieces;          // of each lane, front to back; empty: nothing is met
-    alignas(64) std::array<std::array<float, kMost>, 3> toEye{};  // unit, world space
-    alignas(64) std::array<std::array<float, kMost>, 3> color{};  // result: composited, without background
-    alignas(64) std::array<float, kMost> transmittance{};         // result
-    std::uint64_t samples = 0;                                    // grows by those taken
+    using Lanes = std::array<float, kMost>;
+    std::array<std::span<const CellHit>, kMost> hits;  // of each lane, front to back, apart; empty: nothing is met
+    std::span<const OwnPiece> own;                     // what hits that are no cells' refer to
+    alignas(64) std::array<Lanes, 3> base{}, along{};
+    alignas(64) std::array<Lanes, 3> toEye{};  // unit, world space
+    alignas(64) std::array<Lanes, 3> color{};  // result: composited, without background
+    alignas(64) Lanes transmittance{};         // result
+    std::uint64_t samples = 0;                 // grows by those taken
 };
 
 /// Pixels across and down that one packet covers on this machine; their product is at most RayPacket::kMost. The

@@ -10,6 +10,7 @@ namespace voledit {
 namespace {
 
 constexpr std::size_t kMostBricks = 400'000;
+constexpr double kRounding = 2e-3;  // voxels: how far samples may come to lie from where they should
 
 std::size_t volumeOf(Index3 size) {
     return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
@@ -74,20 +75,45 @@ void spread(SkipGrid& grid) {
     });
 }
 
-void findBounds(SkipGrid& grid) {
+std::size_t cornerIndex(const SkipGrid& grid, int i, int j, int k) {
+    return std::size_t(i) +
+           std::size_t(grid.count.x + 1) * (std::size_t(j) + std::size_t(grid.count.y + 1) * std::size_t(k));
+}
+
+/// `first`, `end` and `before`.
+void countVisible(SkipGrid& grid) {
     grid.first = grid.count;
     grid.end = Index3(0);
+    grid.before.assign(volumeOf(grid.count + 1), 0);
+    const auto sum = [&](int i, int j, int k) -> std::uint32_t& { return grid.before[cornerIndex(grid, i, j, k)]; };
     const std::uint8_t* at = grid.distance.data();
     for (int k = 0; k < grid.count.z; ++k)
-        for (int j = 0; j < grid.count.y; ++j)
+        for (int j = 0; j < grid.count.y; ++j) {
+            std::uint32_t row = 0;
             for (int i = 0; i < grid.count.x; ++i, ++at) {
+                row += *at == 0;
+                sum(i + 1, j + 1, k + 1) = row + sum(i + 1, j, k + 1) + sum(i + 1, j + 1, k) - sum(i + 1, j, k);
                 if (*at != 0) continue;
                 grid.first = glm::min(grid.first, Index3(i, j, k));
                 grid.end = glm::max(grid.end, Index3(i, j, k) + 1);
             }
+        }
 }
 
 }  // namespace
+
+bool SkipGrid::mayBeVisible(const Box3& box) const {
+    if (box.empty()) return false;
+    const auto brick = [&](const Vec3& x) {
+        return glm::clamp(Index3(glm::floor(x / double(1 << shift))), Index3(0), count - 1);
+    };
+    const Index3 from = brick(box.min - kRounding), to = brick(box.max + kRounding) + 1;
+    const auto layer = [&](int k) {
+        const auto sum = [&](int i, int j) { return before[cornerIndex(*this, i, j, k)]; };
+        return sum(to.x, to.y) - sum(from.x, to.y) - sum(to.x, from.y) + sum(from.x, from.y);
+    };
+    return layer(to.z) != layer(from.z);
+}
 
 SkipGrid makeSkipGrid(const ValueBricks& bricks, const OpticalTable& table) {
     SkipGrid grid;
@@ -96,7 +122,7 @@ SkipGrid makeSkipGrid(const ValueBricks& bricks, const OpticalTable& table) {
     grid.distance.assign(volumeOf(grid.count) + 3, SkipGrid::kFarthest);
     markVisible(bricks, table, grid);
     spread(grid);
-    findBounds(grid);
+    countVisible(grid);
     return grid;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/box3.h"
 #include "core/fields/value_bricks.h"
 #include "core/rays/optical_table.h"
 
@@ -17,6 +18,10 @@ struct SkipGrid {
     Index3 count{0};
     std::vector<std::uint8_t> distance;  // i fastest; three more bytes at the end, for reads of four at once
     Index3 first{0}, end{0};             // bricks that may be visible lie in [first, end); empty if none is
+    std::vector<std::uint32_t> before;   // (count + 1)³: of those, the ones before each corner
+
+    /// False only if nothing in `box` (index space, within the domain) can be seen. In constant time.
+    bool mayBeVisible(const Box3& box) const;
 };
 
 /// Exact for whatever `table` makes of values between samples.

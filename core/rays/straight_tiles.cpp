@@ -7,6 +7,7 @@
 
 #include "core/rays/packet_caster.h"
 #include "core/rays/packet_light.h"
+#include "core/rays/packet_picture.h"
 #include "core/rays/picture_rays.h"
 #include "core/rays/tile_caster.h"
 
@@ -34,7 +35,7 @@ public:
         volume_.light = packetLight(scene.render);
         const Mat3 m = glm::transpose(Mat3(indexFromWorld));
         for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) volume_.worldFromGradient[std::size_t(3 * r + c)] = static_cast<float>(m[c][r]);
+            for (int c = 0; c < 3; ++c) volume_.turn[std::size_t(c)][std::size_t(r)] = static_cast<float>(m[c][r]);
         const double side = double(1 << look_->skip.shift);
         visible_ = intersect(domain_, {side * Vec3(look_->skip.first), side * Vec3(look_->skip.end)});
     }
@@ -51,30 +52,22 @@ public:
 private:
     std::uint64_t castAt(Picture& picture, Index2 first, Index2 end, Index2 shape) const {
         RayPacket packet;
-        std::array<RayPiece, RayPacket::kMost> pieces;
+        std::array<CellHit, RayPacket::kMost> hits;
         bool any = false;
-        for (int y = first.y; y < end.y; ++y)
-            for (int x = first.x; x < end.x; ++x) {
-                const auto lane = std::size_t(x - first.x + shape.x * (y - first.y));
-                if (!setUp(x, y, pieces[lane], packet, lane)) continue;
-                packet.pieces[lane] = std::span(&pieces[lane], 1);
-                any = true;
-            }
+        forPixels(first, first, end, shape, [&](int x, int y, std::size_t lane) {
+            if (!setUp(x, y, hits[lane], packet, lane)) return;
+            packet.hits[lane] = std::span(&hits[lane], 1);
+            any = true;
+        });
         packet.transmittance.fill(1);
         if (any) castPacket(volume_, packet);
-        for (int y = first.y; y < end.y; ++y)
-            for (int x = first.x; x < end.x; ++x) {
-                const auto lane = std::size_t(x - first.x + shape.x * (y - first.y));
-                const float through = packet.transmittance[lane];
-                Vec4f& pixel = picture.at(x, y);
-                for (int c = 0; c < 3; ++c) pixel[c] = packet.color[std::size_t(c)][lane] + through * background_[c];
-                pixel.a = 1 - through;
-            }
+        forPixels(first, first, end, shape,
+                  [&](int x, int y, std::size_t lane) { picture.at(x, y) = pixelOf(packet, lane, background_); });
         return packet.samples;
     }
 
     /// The piece of the ray of pixel (x, y) within the volume; false where it meets nothing visible.
-    bool setUp(int x, int y, RayPiece& piece, RayPacket& packet, std::size_t lane) const {
+    bool setUp(int x, int y, CellHit& hit, RayPacket& packet, std::size_t lane) const {
         const Vec3 direction = origin_ + double(x) * right_ + double(y) * down_;
         double near = 0, far = kInfinity, nearVisible = 0, farVisible = kInfinity;
         for (int a = 0; a < 3; ++a) {
@@ -90,11 +83,11 @@ private:
         if (!(near < far) || !(nearVisible <= farVisible)) return false;
         const Vec3 world = world_.direction(x, y);
         const double inverseLength = 1 / glm::length(world), step = step_ * inverseLength;
-        piece.begin = std::max(0.F, std::floor(static_cast<float>((nearVisible - near) / step)));
-        piece.end = static_cast<float>((far - near) / step);
+        hit.begin = std::max(0.F, std::floor(static_cast<float>((nearVisible - near) / step)));
+        hit.end = static_cast<float>((far - near) / step);
         for (int a = 0; a < 3; ++a) {
-            piece.start[std::size_t(a)] = static_cast<float>(eye_[a] + near * direction[a]);
-            piece.step[std::size_t(a)] = static_cast<float>(step * direction[a]);
+            packet.base[std::size_t(a)][lane] = static_cast<float>(eye_[a] + near * direction[a]);
+            packet.along[std::size_t(a)][lane] = static_cast<float>(step * direction[a]);
             packet.toEye[std::size_t(a)][lane] = static_cast<float>(-world[a] * inverseLength);
         }
         return true;

@@ -1,6 +1,8 @@
 #include "core/rays/tile_caster.h"
 
 #include "core/eval/ray_caster.h"
+#include "core/rays/cell_tiles.h"
+#include "core/stf/mapped_cells.h"
 
 namespace voledit {
 
@@ -19,22 +21,45 @@ private:
     CompiledScene scene_;
 };
 
-/// The way down to a volume through affine maps; null at `volume` where there is something else.
-struct StraightWay {
+/// The way down to a volume through maps that show each of its points at most once a place; nullptr at `volume` where
+/// there is something else.
+struct PacketWay {
     TermPtr volume;
-    Mat4 restFromWorld{1.0};
+    CellWay cells;  // without maps: affine ones alone lead there, by indexFromRest
 };
-StraightWay straightWay(const TermPtr& root) {
-    StraightWay way;
+PacketWay packetWay(const TermPtr& root) {
+    PacketWay way;
+    Mat4 matrix(1.0);                  // of the affine maps since the last one that is not …
+    std::vector<TransferPtr> affines;  // … which are these
     TermPtr at = root;
-    while (const auto* transfer = std::get_if<TransferTerm>(&at->node)) {
-        const auto matrix = transfer->by->affine();
-        if (!matrix || transfer->by->cells()) return {};
-        way.restFromWorld = *matrix * way.restFromWorld;
-        at = transfer->of;
+    for (; const auto* transfer = std::get_if<TransferTerm>(&at->node); at = transfer->of) {
+        const MappedCells* cells = transfer->by->cells();
+        if (cells && cells->mayOverlap()) return {};
+        if (const auto affine = cells ? std::nullopt : transfer->by->affine()) {
+            matrix = *affine * matrix;
+            affines.push_back(transfer->by);
+            continue;
+        }
+        if (way.cells.by.empty()) {
+            way.cells.term = at;
+            way.cells.cellsFromWorld = matrix;
+        } else {
+            way.cells.by.insert(way.cells.by.end(), affines.begin(), affines.end());
+        }
+        way.cells.by.push_back(transfer->by);
+        matrix = Mat4(1.0);
+        affines.clear();
     }
-    if (std::holds_alternative<VolumeTerm>(at->node)) way.volume = at;
+    if (!std::holds_alternative<VolumeTerm>(at->node)) return {};
+    way.volume = at;
+    way.cells.indexFromRest = std::get<VolumeTerm>(at->node).volume->indexFromWorld() * matrix;
     return way;
+}
+
+/// Whether packets light things as `render` says.
+bool lightable(const RenderSettings& render) {
+    return !render.shading ||
+           ((render.light || render.rig == LightRig::Headlight) && render.shadows <= 0 && render.occlusion <= 0);
 }
 
 }  // namespace
@@ -44,11 +69,13 @@ std::unique_ptr<const TileCaster> makeGeneralTiles(const CompiledScene& scene) {
 }
 
 std::unique_ptr<const TileCaster> makeTileCaster(const CompiledScene& scene, Index2 size, RayCache& cache) {
-    const StraightWay way = straightWay(scene.root);
-    if (!way.volume || !packable(std::get<VolumeTerm>(way.volume->node))) return makeGeneralTiles(scene);
+    const PacketWay way = packetWay(scene.root);
+    if (!way.volume || !packable(std::get<VolumeTerm>(way.volume->node)) || !lightable(scene.render))
+        return makeGeneralTiles(scene);
     cache.look = volumeLook(way.volume, scene.stepLength() / scene.opacityDistance, cache.look);
-    const Mat4 indexFromWorld = cache.look->volumeTerm().volume->indexFromWorld() * way.restFromWorld;
-    return makeStraightTiles(scene, size, cache.look, indexFromWorld);
+    if (way.cells.by.empty()) return makeStraightTiles(scene, size, cache.look, way.cells.indexFromRest);
+    cache.cells = cellLook(way.cells, cache.look, scene.render.shading, cache.cells);
+    return makeCellTiles(scene, size, cache.cells);
 }
 
 }  // namespace voledit

@@ -9,6 +9,8 @@
 
 namespace voledit {
 
+struct CellLook;
+
 /// Draws rectangles of one picture. Immutable; safe from many threads for disjoint rectangles.
 class TileCaster {
 public:
@@ -20,6 +22,7 @@ public:
 /// What is kept from picture to picture.
 struct RayCache {
     std::shared_ptr<const VolumeLook> look;
+    std::shared_ptr<const CellLook> cells;
 };
 
 /// The caster for `scene` (kept by it) in a picture of `size`.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
 #include <random>
 
 namespace voledit {
@@ -64,6 +65,27 @@ TEST(SkipGrid, MergesBricksOfLargeVolumes) {
     };
     EXPECT_EQ(at(48, 22, 10), 0);
     EXPECT_EQ(at(45, 22, 15), 5);
+}
+
+TEST(SkipGrid, TellsOfBoxesWhetherABrickInThemMayBeVisible) {
+    const OpticalTable table = makeOpticalTable(aboveHalf(), {0, 1}, false, 1);
+    const ValueBricks bricks = randomBricks({31, 17, 40}, 0.002, 3);
+    const SkipGrid grid = makeSkipGrid(bricks, table);
+    std::mt19937 random(7);
+    int seen = 0;
+    for (int n = 0; n < 500; ++n) {
+        const Index3 from(random() % 31, random() % 17, random() % 40), most(random() % 6, random() % 6, random() % 6);
+        const Index3 to = glm::min(from + most, grid.count - 1);
+        bool any = false;
+        for (int k = from.z; k <= to.z; ++k)
+            for (int j = from.y; j <= to.y; ++j)
+                for (int i = from.x; i <= to.x; ++i) any |= bricks.high[bricks.indexOf({i, j, k})] > 0.5F;
+        ASSERT_EQ(grid.mayBeVisible({4.0 * Vec3(from) + 0.5, 4.0 * Vec3(to) + 3.5}), any);
+        seen += any;
+    }
+    EXPECT_GT(seen, 20);
+    EXPECT_LT(seen, 480);
+    EXPECT_FALSE(grid.mayBeVisible(Box3()));
 }
 
 }  // namespace

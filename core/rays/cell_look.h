@@ -1,0 +1,45 @@
+#pragma once
+// A deformed volume made ready for packets of rays.
+
+#include <memory>
+#include <vector>
+
+#include "core/rays/packet_cells.h"
+#include "core/rays/volume_look.h"
+#include "core/stf/spatial_transfer_function.h"
+
+namespace voledit {
+
+/// What leads from a picture's rays to a volume under maps.
+struct CellWay {
+    TermPtr term;                 // the outermost map's transfer, whose space is that of the deformed cells
+    Mat4 cellsFromWorld{1.0};     // from the root's space
+    std::vector<TransferPtr> by;  // the maps, the outermost first
+    Mat4 indexFromRest{1.0};      // from what the last map gives to the volume's index space
+
+    bool operator==(const CellWay&) const = default;
+
+    /// Whether the only map is mapped cells and nothing shows outside: then those are the cells.
+    bool isMappedCells() const;
+    /// x[n] = index space of p[n], kUndefined where a map is. Sizes must be equal.
+    void toIndex(std::span<const Vec3> p, std::span<Vec3> x) const;
+    /// turn[n] = what turns gradients at p[n]. Sizes must be equal.
+    void turns(std::span<const Vec3> p, std::span<GradientTurn> turn) const;
+    /// What turns gradients where the maps' Jacobian is `jacobian`.
+    GradientTurn turnOf(const Mat3& jacobian) const;
+};
+
+/// Immutable; holds what can be seen of `look` on `way`.
+struct CellLook {
+    CellWay way;
+    std::shared_ptr<const VolumeLook> look;
+    bool turned = false;  // whether gradients' turns are known
+    PacketCells cells;
+};
+
+/// The look on `way`, for shading if `turned`; `previous` (may be null) if that is it. In parallel; some 2 ms for 16³
+/// mapped cells.
+std::shared_ptr<const CellLook> cellLook(const CellWay& way, std::shared_ptr<const VolumeLook> look, bool turned,
+                                         const std::shared_ptr<const CellLook>& previous);
+
+}  // namespace voledit

@@ -1,0 +1,184 @@
+#include "core/rays/cell_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/rays/cell_bins.h"
+#include "core/rays/cell_raster.h"
+#include "core/rays/packet_light.h"
+#include "core/rays/packet_picture.h"
+#include "core/rays/picture_rays.h"
+#include "core/rays/ragged_pieces.h"
+#include "core/rays/ray_pieces.h"
+
+namespace voledit {
+
+namespace {
+
+constexpr int kTile = CellBins::kTile;
+
+std::array<float, 3> single(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+class CellTiles final : public TileCaster {
+public:
+    CellTiles(const CompiledScene& scene, Index2 size, std::shared_ptr<const CellLook> look)
+        : look_(std::move(look)),
+          world_(scene.camera, size),
+          perStep_(1 / scene.stepLength()),
+          background_(scene.render.background) {
+        const Mat4& cellsFromWorld = look_->way.cellsFromWorld;
+        view_ = {transformPoint(cellsFromWorld, world_.eye), transformVector(cellsFromWorld, world_.origin),
+                 transformVector(cellsFromWorld, world_.right), transformVector(cellsFromWorld, world_.down)};
+        bins_ = makeCellBins(look_->cells, view_, size);
+        volume_.volume = look_->look->volumeTerm().volume.get();
+        volume_.table = &look_->look->table;
+        volume_.skip = &look_->look->skip;
+        volume_.cells = &look_->cells;
+        volume_.light = packetLight(scene.render);
+    }
+
+    std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {
+        std::uint64_t samples = 0;
+        for (int y = first.y / kTile; y * kTile < end.y; ++y)
+            for (int x = first.x / kTile; x * kTile < end.x; ++x) {
+                const Index2 tile = kTile * Index2(x, y);
+                samples += castTile(picture, tile, glm::max(first, tile), glm::min(end, tile + kTile));
+            }
+        return samples;
+    }
+
+private:
+    TileRays raysOf(Index2 tile, Index2 end) const {
+        TileRays rays;
+        rays.first = tile;
+        rays.end = end;
+        const Vec3 along = view_.forward + double(tile.x) * view_.right + double(tile.y) * view_.down;
+        rays.along = {single(along), single(view_.right), single(view_.down)};
+        rays.base = {single(view_.eye - look_->cells.origin + bins_.nearest * along),
+                     single(bins_.nearest * view_.right), single(bins_.nearest * view_.down)};
+        for (int n = 0; n < kTile * kTile; ++n) {
+            const Vec3 direction = world_.direction(tile.x + n % kTile, tile.y + n / kTile);
+            rays.steps[std::size_t(n)] = static_cast<float>(glm::length(direction) * perStep_);
+        }
+        return rays;
+    }
+
+    std::uint64_t castTile(Picture& picture, Index2 tile, Index2 first, Index2 end) const {
+        if (bins_.at(tile / kTile).empty()) {
+            const Vec4f nothing(background_, 0);
+            for (int y = first.y; y < end.y; ++y)
+                for (int x = first.x; x < end.x; ++x) picture.at(x, y) = nothing;
+            return 0;
+        }
+        const TileRays rays = raysOf(tile, end);
+        // Kept from tile to tile: fresh memory would cost as much as the rest.
+        thread_local HitLists hits;
+        hits.clear();
+        rasterCells(look_->cells, bins_, rays, hits);
+        for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel)
+            hits.shorten(pixel, orderedPieces(hits.of(pixel)));
+        thread_local RaggedPieces ragged;
+        ragged.clear();
+        if (look_->cells.firstRagged < look_->cells.cells.size()) findRagged(rays, hits, ragged);
+        const Index2 shape = packetShape();
+        std::uint64_t samples = 0;
+        for (int y = first.y / shape.y * shape.y; y < end.y; y += shape.y)
+            for (int x = first.x / shape.x * shape.x; x < end.x; x += shape.x) {
+                RayPacket packet;
+                packet.own = ragged.maps();
+                bool any = false;
+                forPixels({x, y}, first, end, shape, [&](int px, int py, std::size_t lane) {
+                    const auto pixel = std::size_t(px - tile.x + kTile * (py - tile.y));
+                    packet.hits[lane] = hits.of(pixel);
+                    if (packet.hits[lane].empty()) return;
+                    setUp(rays, {px - tile.x, py - tile.y}, packet, lane);
+                    any = true;
+                });
+                packet.transmittance.fill(1);
+                if (any) castPacket(volume_, packet);
+                samples += packet.samples;
+                forPixels({x, y}, first, end, shape, [&](int px, int py, std::size_t lane) {
+                    picture.at(px, py) = pixelOf(packet, lane, background_);
+                });
+            }
+        return samples;
+    }
+
+    /// Puts the pieces within ragged cells in these cells' place.
+    void findRagged(const TileRays& rays, HitLists& hits, RaggedPieces& ragged) const {
+        const std::uint32_t first = look_->cells.firstRagged;
+        for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
+            const std::span<CellHit> of = hits.of(pixel);
+            const auto place = Index2(int(pixel) % kTile, int(pixel) / kTile);
+            for (std::size_t n = 0; n < of.size(); ++n) {
+                if (of[n].cell < first) continue;
+                RaggedPieces::Piece stretch{std::uint32_t(pixel), of[n].begin, of[n].end};
+                while (n + 1 < of.size() && of[n + 1].cell >= first && of[n + 1].begin == stretch.end)
+                    stretch.end = of[++n].end;
+                const Ray ray = rayOf(rays, place);
+                ragged.add(stretch, ray.base, ray.along);
+            }
+        }
+        ragged.find(*look_);
+        for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
+            const std::span<CellHit> of = hits.of(pixel);
+            const auto end =
+                std::remove_if(of.begin(), of.end(), [&](const CellHit& hit) { return hit.cell >= first; });
+            hits.shorten(pixel, of.first(std::size_t(end - of.begin())));
+        }
+        std::array<bool, TileRays::kPixels> changed{};
+        for (std::size_t n = 0; n < ragged.pieces().size(); ++n) {
+            const RaggedPieces::Piece& piece = ragged.pieces()[n];
+            hits.add(piece.pixel, {piece.begin, piece.end, kOwnPiece + std::uint32_t(n)});
+            changed[piece.pixel] = true;
+        }
+        for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel)
+            if (changed[pixel]) hits.shorten(pixel, orderedPieces(hits.of(pixel)));
+    }
+
+    struct Ray {
+        std::array<float, 3> base, along;  // cell space; along is one step long
+    };
+    Ray rayOf(const TileRays& rays, Index2 at) const {
+        const float x = float(at.x), y = float(at.y);
+        const float inverse = 1 / rays.steps[std::size_t(at.x + kTile * at.y)];
+        Ray ray;
+        for (std::size_t a = 0; a < 3; ++a) {
+            ray.base[a] = rays.base[0][a] + x * rays.base[1][a] + y * rays.base[2][a];
+            ray.along[a] = (rays.along[0][a] + x * rays.along[1][a] + y * rays.along[2][a]) * inverse;
+        }
+        return ray;
+    }
+
+    /// The ray of a pixel of the tile.
+    void setUp(const TileRays& rays, Index2 at, RayPacket& packet, std::size_t lane) const {
+        const Ray ray = rayOf(rays, at);
+        for (std::size_t a = 0; a < 3; ++a) {
+            packet.base[a][lane] = ray.base[a];
+            packet.along[a][lane] = ray.along[a];
+        }
+        const Vec3 toEye = glm::normalize(-world_.direction(rays.first.x + at.x, rays.first.y + at.y));
+        for (int a = 0; a < 3; ++a) packet.toEye[std::size_t(a)][lane] = static_cast<float>(toEye[a]);
+    }
+
+    std::shared_ptr<const CellLook> look_;
+    PictureRays world_;
+    CellView view_;
+    CellBins bins_;
+    double perStep_;
+    Vec3f background_;
+    PacketVolume volume_;
+};
+
+}  // namespace
+
+std::unique_ptr<const TileCaster> makeCellTiles(const CompiledScene& scene, Index2 size,
+                                                std::shared_ptr<const CellLook> look) {
+    return std::make_unique<CellTiles>(scene, size, std::move(look));
+}
+
+}  // namespace voledit

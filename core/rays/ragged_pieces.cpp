@@ -1,0 +1,137 @@
+#include "core/rays/ragged_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace voledit {
+
+namespace {
+
+constexpr float kLongest = 4, kShortest = 0.13F;    // stretches looked at, steps
+constexpr double kTolerance = 0.1, kBeyond = 1e-3;  // voxels
+
+bool finite(const Vec3& v) {
+    return std::isfinite(v.x + v.y + v.z);
+}
+
+double largestOf(const Vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
+
+void RaggedPieces::clear() {
+    rays_.clear();
+    open_.clear();
+    pieces_.clear();
+    maps_.clear();
+    middles_.clear();
+}
+
+void RaggedPieces::add(const Piece& stretch, const std::array<float, 3>& base, const std::array<float, 3>& along) {
+    const auto ray = std::uint32_t(rays_.size());
+    rays_.push_back({Vec3(base[0], base[1], base[2]), Vec3(along[0], along[1], along[2])});
+    const int parts = std::max(1, int(std::ceil((stretch.end - stretch.begin) / kLongest)));
+    for (int n = 0; n < parts; ++n) {
+        const auto cut = [&](int at) {
+            return at == parts ? stretch.end : stretch.begin + (stretch.end - stretch.begin) * float(at) / float(parts);
+        };
+        open_.push_back({{stretch.pixel, cut(n), cut(n + 1)}, ray, kUndefined, kUndefined, kUndefined});
+    }
+}
+
+Vec3 RaggedPieces::placeOn(const CellLook& look, const Stretch& stretch, double part) const {
+    const Ray& ray = rays_[stretch.ray];
+    const double u = double(stretch.piece.begin) + part * (double(stretch.piece.end) - double(stretch.piece.begin));
+    return look.cells.origin + ray.base + u * ray.along;
+}
+
+void RaggedPieces::mapEnds(const CellLook& look) {
+    points_.resize(2 * open_.size());
+    for (std::size_t n = 0; n < open_.size(); ++n) {
+        points_[2 * n] = placeOn(look, open_[n], 0);
+        points_[2 * n + 1] = placeOn(look, open_[n], 1);
+    }
+    look.way.toIndex(points_, points_);
+    for (std::size_t n = 0; n < open_.size(); ++n) {
+        open_[n].first = points_[2 * n];
+        open_[n].last = points_[2 * n + 1];
+    }
+}
+
+void RaggedPieces::mapMiddles(const CellLook& look) {
+    points_.resize(open_.size());
+    for (std::size_t n = 0; n < open_.size(); ++n) points_[n] = placeOn(look, open_[n], 0.5);
+    look.way.toIndex(points_, points_);
+    for (std::size_t n = 0; n < open_.size(); ++n) open_[n].middle = points_[n];
+}
+
+/// Keeps or drops what is open, or halves it.
+void RaggedPieces::halve(const CellLook& look) {
+    next_.clear();
+    for (const Stretch& s : open_) {
+        const bool first = finite(s.first), middle = finite(s.middle), last = finite(s.last);
+        if (!first && !middle && !last) continue;
+        if (first && middle && last && largestOf(s.middle - 0.5 * (s.first + s.last)) <= kTolerance) {
+            keep(look, s);
+            continue;
+        }
+        const Piece& p = s.piece;
+        if (p.end - p.begin < kShortest) continue;
+        const float half = 0.5F * (p.begin + p.end);
+        next_.push_back({{p.pixel, p.begin, half}, s.ray, s.first, kUndefined, s.middle});
+        next_.push_back({{p.pixel, half, p.end}, s.ray, s.middle, kUndefined, s.last});
+    }
+    std::swap(open_, next_);
+}
+
+void RaggedPieces::keep(const CellLook& look, const Stretch& s) {
+    // Only what lies within the volume's domain, and may be seen.
+    const Vec3 step = s.last - s.first;
+    const Box3 domain = look.look->volumeTerm().volume->grid().indexDomain();
+    if (!look.look->skip.mayBeVisible(
+            intersect({glm::min(s.first, s.last) - kTolerance, glm::max(s.first, s.last) + kTolerance}, domain)))
+        return;
+    double from = 0, to = 1;
+    for (int a = 0; a < 3; ++a) {
+        const double low = domain.min[a] - kBeyond - s.first[a], high = domain.max[a] + kBeyond - s.first[a];
+        if (step[a] == 0) {
+            if (low > 0 || high < 0) return;
+            continue;
+        }
+        from = std::max(from, std::min(low / step[a], high / step[a]));
+        to = std::min(to, std::max(low / step[a], high / step[a]));
+    }
+    if (!(from < to)) return;
+    const double length = double(s.piece.end) - double(s.piece.begin);
+    Piece piece = s.piece;
+    piece.begin = static_cast<float>(s.piece.begin + from * length);
+    if (to < 1) piece.end = static_cast<float>(s.piece.begin + to * length);
+    OwnPiece map{};
+    for (int a = 0; a < 3; ++a) {
+        const double perStep = step[a] / length;
+        map.step[std::size_t(a)] = static_cast<float>(perStep);
+        map.start[std::size_t(a)] = static_cast<float>(s.first[a] - s.piece.begin * perStep);
+    }
+    pieces_.push_back(piece);
+    maps_.push_back(map);
+    middles_.push_back(placeOn(look, s, 0.5 * (from + to)));
+}
+
+void RaggedPieces::turn(const CellLook& look) {
+    turns_.resize(middles_.size());
+    look.way.turns(middles_, turns_);
+    for (std::size_t n = 0; n < maps_.size(); ++n) maps_[n].turn = turns_[n];
+}
+
+void RaggedPieces::find(const CellLook& look) {
+    mapEnds(look);
+    while (!open_.empty()) {
+        mapMiddles(look);
+        halve(look);
+    }
+    if (look.turned && !pieces_.empty()) turn(look);
+}
+
+}  // namespace voledit
