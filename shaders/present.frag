@@ -5,6 +5,11 @@
 //   out colour   opaque sRGB
 // Variants:
 //   ENLARGED     the picture has fewer pixels than the viewport: smooth between them
+//   TONED        exposure and tone mapping
+#ifdef TONED
+#include "common/tones.glsl"
+#endif
+
 in vec2 at;
 
 uniform sampler2D picture;
@@ -41,5 +46,11 @@ void main() {
 #else
     vec4 c = texture(picture, from);
 #endif
+#ifdef TONED
+    vec3 object = max(opaque ? c.rgb - (1.0 - c.a) * background : c.rgb, 0.0);
+    object = c.a > 0.0 ? c.a * toned(object / c.a) : object;
+    colour = vec4(clamp(object + (1.0 - c.a) * background, 0.0, 1.0), 1.0);
+#else
     colour = vec4(clamp(opaque ? c.rgb : c.rgb + (1.0 - c.a) * background, 0.0, 1.0), 1.0);
+#endif
 }

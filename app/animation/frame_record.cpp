@@ -23,7 +23,7 @@ constexpr int kVersion = 1;
 
 json toJson(const FrameSettings& s) {
     return {{"voledit-frames", kVersion},   {"scene", s.scene}, {"camera", s.camera}, {"renderer", s.renderer},
-            {"size", {s.size.x, s.size.y}}, {"fps", s.fps},     {"step", s.step}};
+            {"size", {s.size.x, s.size.y}}, {"fps", s.fps},     {"step", s.step},     {"supersample", s.supersample}};
 }
 
 FrameSettings settingsOf(const json& j) {
@@ -32,7 +32,8 @@ FrameSettings settingsOf(const json& j) {
             .renderer = j.at("renderer"),
             .size = {j.at("size").at(0), j.at("size").at(1)},
             .fps = j.at("fps"),
-            .step = j.at("step")};
+            .step = j.at("step"),
+            .supersample = j.value("supersample", 1)};
 }
 
 FinishedFrame frameOf(const json& j) {
@@ -92,7 +93,7 @@ std::string FrameRecord::mismatch(const FrameSettings& settings) const {
     if (settings_.size != settings.size) return "--size is another";
     if (settings_.fps != settings.fps) return "the frame rate is another";
     if (settings_.camera != settings.camera) return "the camera changed";
-    return settings_ == settings ? "" : "the renderer or the step is another";
+    return settings_ == settings ? "" : "the renderer, the step or the supersampling is another";
 }
 
 bool FrameRecord::holds(int frame, const fs::path& file) const {

@@ -20,6 +20,7 @@ struct FrameSettings {
     Index2 size{0};
     double fps = 24;   // frame n is at n / fps seconds
     double step = -1;  // as `--step`; negative: the scene's
+    int supersample = 1;
     bool operator==(const FrameSettings&) const = default;
 };
 

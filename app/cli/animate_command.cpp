@@ -90,6 +90,7 @@ FrameSettings settingsOf(const AnimateArguments& a, const OpenedScene& opened, d
     settings.size = a.picture.pixels();
     settings.fps = fps;
     settings.step = std::isnan(a.picture.step) ? -1 : a.picture.step;
+    settings.supersample = a.picture.supersample;
     return settings;
 }
 
@@ -145,6 +146,7 @@ std::vector<std::string> workerCommand(const AnimateArguments& a, const CommonAr
                                    "--size=" + a.picture.size,
                                    "--gl=" + a.picture.gl,
                                    "--fps=" + std::string(rate.data()),
+                                   "--supersample=" + std::to_string(a.picture.supersample),
                                    "--threads=" + std::to_string(threads)};
     const auto add = [&](const std::string& flag, const std::string& value) {
         if (!value.empty()) words.push_back(flag + "=" + value);
@@ -176,6 +178,7 @@ int work(const AnimateArguments& a, const AnimationOutput& output) {
         IoClient io;
         OpenedScene opened = openFile(io, a.input.file, a.input.options());
         a.picture.applyTo(opened.scene);
+        if (output.isVideo()) opened.scene.render.transparent = false;  // videos keep no alpha
         FramePainter painter(io, std::move(opened), a.picture, a.fps.value(),
                              [&](const std::string& text) { say(WorkerWords::warning(text)); });
         for (int frame = 0; std::cin >> frame;)

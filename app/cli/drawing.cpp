@@ -16,6 +16,7 @@
 #include "core/scene/actor_edits.h"
 #include "core/scene/nodes.h"
 #include "core/scene/scene_children.h"
+#include "core/scene/tones.h"
 #include "render/context.h"
 #include "render/slice_renderer.h"
 
@@ -116,6 +117,10 @@ std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::str
     if (renderer == "reference") return std::make_unique<ReferenceDrawing>();
     const GlBackend backend = gl == "egl" ? GlBackend::Egl : gl == "osmesa" ? GlBackend::Osmesa : GlBackend::Auto;
     return std::make_unique<SliceDrawing>(backend, renderer.empty());
+}
+
+Picture drawStill(Drawing& drawing, const CompiledScene& scene, Index2 size, int supersample, Progress* progress) {
+    return finishedPicture(reduced(drawing.draw(scene, size * supersample, progress), supersample), scene.render);
 }
 
 Camera orbited(const Camera& camera, double degrees) {

@@ -40,6 +40,10 @@ void checkDrawingNames(const std::string& renderer, const std::string& gl);
 /// where the context cannot be made.
 std::unique_ptr<Drawing> makeDrawing(const std::string& renderer, const std::string& gl);
 
+/// A picture as it is written: drawn with `supersample` times the pixels along each side and averaged, then finished
+/// (core/scene/tones.h) by the scene's exposure, tone mapping and transparency. Throws Error, Cancelled.
+Picture drawStill(Drawing& drawing, const CompiledScene& scene, Index2 size, int supersample, Progress* progress);
+
 /// Turns `camera` about its target, around its up-vector, by `degrees`.
 Camera orbited(const Camera& camera, double degrees);
 

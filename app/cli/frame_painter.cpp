@@ -9,6 +9,7 @@ FramePainter::FramePainter(IoClient& io, OpenedScene opened, const PictureArgume
     : io_(io),
       opened_(std::move(opened)),
       size_(arguments.pixels()),
+      supersample_(arguments.supersample),
       fps_(fps),
       warn_(std::move(warn)),
       drawing_(arguments.drawing()) {}
@@ -23,7 +24,8 @@ FinishedFrame FramePainter::paint(int frame, const std::filesystem::path& file, 
     }
     for (const std::string& warning : compiled_.warnings)
         if (warned_.insert(warning).second) warn_(warning);
-    io_.writePicture(drawing_->draw(compiled_, size_, progress), file);
+    io_.writePicture(drawStill(*drawing_, compiled_, size_, supersample_, progress), file,
+                     compiled_.render.transparent);
     return finishedFrame(frame, file);
 }
 

@@ -29,6 +29,7 @@ private:
     IoClient& io_;
     OpenedScene opened_;
     Index2 size_;
+    int supersample_;
     double fps_;
     std::function<void(const std::string&)> warn_;
     std::set<std::string> warned_;

@@ -12,6 +12,7 @@ namespace voledit {
 struct PictureArguments {
     std::string size = "960x720", renderer, gl = "auto", camera;
     double step = kNaN;
+    int supersample = 1;  // so many times the pixels along each side are drawn, and averaged
 
     /// Throws UsageError for a value that cannot be.
     void check() const;

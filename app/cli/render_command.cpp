@@ -84,10 +84,12 @@ int render(const RenderArguments& a, const CommonArguments& common) {
 
     Picture picture;
     withProgress(
-        "Rendering", common.verbosity(), [&](Progress* progress) { picture = drawing->draw(scene, size, progress); },
+        "Rendering", common.verbosity(),
+        [&](Progress* progress) { picture = drawStill(*drawing, scene, size, a.picture.supersample, progress); },
         a.report);
     const double firstImage = millisecondsSinceStart();
-    withProgress("Writing " + a.output, common.verbosity(), [&](Progress*) { io.writePicture(picture, a.output); });
+    withProgress("Writing " + a.output, common.verbosity(),
+                 [&](Progress*) { io.writePicture(picture, a.output, scene.render.transparent); });
     if (common.verbosity() == Verbosity::Verbose)
         std::fprintf(stderr, "voledit: first image after %.0f ms\n", firstImage);
     const auto frames = timeFrames(*drawing, scene, size, a.timeFrames);

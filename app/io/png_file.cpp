@@ -2,7 +2,9 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <csetjmp>
 #include <cstring>
 
@@ -111,9 +113,9 @@ public:
     PngEncoder(const PngEncoder&) = delete;
     PngEncoder& operator=(const PngEncoder&) = delete;
 
-    bool write(Index2 size, png_bytepp rows) {
+    bool write(Index2 size, int colorType, png_bytepp rows) {
         if (setjmp(png_jmpbuf(png_))) return false;
-        png_set_IHDR(png_, info_, png_uint_32(size.x), png_uint_32(size.y), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+        png_set_IHDR(png_, info_, png_uint_32(size.x), png_uint_32(size.y), 8, colorType, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
         png_write_info(png_, info_);
@@ -142,6 +144,18 @@ private:
     png_infop info_ = nullptr;
     std::exception_ptr failure_;
 };
+
+/// Bytes of colours that are multiplied by alpha, divided by it.
+std::vector<std::uint8_t> straightRgba8(const Picture& picture) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(picture.pixels.size() * 4);
+    const auto byteOf = [](float value) { return std::uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f)); };
+    for (const Vec4f& p : picture.pixels) {
+        for (int c = 0; c < 3; ++c) bytes.push_back(byteOf(p.a > 0 ? p[c] / p.a : 0));
+        bytes.push_back(byteOf(p.a));
+    }
+    return bytes;
+}
 
 }  // namespace
 
@@ -184,13 +198,14 @@ Picture readPng(const Source& source) {
     return picture;
 }
 
-void writePng(const Picture& picture, const Source& target) {
-    std::vector<std::uint8_t> bytes = toRgb8(picture);
+void writePng(const Picture& picture, const Source& target, bool transparent) {
+    std::vector<std::uint8_t> bytes = transparent ? straightRgba8(picture) : toRgb8(picture);
+    const std::size_t rowBytes = bytes.size() / std::size_t(picture.size.y);
     std::vector<png_bytep> rows(std::size_t(picture.size.y));
-    for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = bytes.data() + y * 3 * std::size_t(picture.size.x);
+    for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = bytes.data() + y * rowBytes;
     OutputFile file(target);
     PngEncoder encoder(file);
-    if (!encoder.write(picture.size, rows.data())) {
+    if (!encoder.write(picture.size, transparent ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, rows.data())) {
         if (encoder.failure()) std::rethrow_exception(encoder.failure());
         throw Error(target.name, "cannot be written as PNG", "choose a smaller picture");
     }

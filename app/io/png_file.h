@@ -12,6 +12,6 @@ void readPngSlices(const SliceStack& stack, VolumeSink& sink);
 Picture readPng(const Source& source);
 
 /// Writes 8-bit RGB. Throws Error.
-void writePng(const Picture& picture, const Source& target);
+void writePng(const Picture& picture, const Source& target, bool transparent);
 
 }  // namespace voledit

@@ -202,9 +202,10 @@ Answer writePicture(const IoRequest& request, const FileDescriptor& file) {
     if (ending != ".png" && ending != ".exr")
         throw Error(target.name, "its ending names no picture format that voledit writes", "end it in .png or .exr");
     if (ending == ".png")
-        writePng(picture, target);
+        writePng(picture, target, request.transparent);
     else
-        moduleFunction<decltype(voleditWriteExr)>("voledit-io-pictures.so", "voleditWriteExr")(picture, target);
+        moduleFunction<decltype(voleditWriteExr)>("voledit-io-pictures.so", "voleditWriteExr")(picture, target,
+                                                                                               request.transparent);
     IoReply reply;
     reply.kind = IoReply::Kind::Written;
     reply.notes = {target.path.filename().string()};

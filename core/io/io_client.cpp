@@ -298,11 +298,12 @@ void IoClient::writeVolume(const Volume& volume, const fs::path& path, Progress*
     folder.publish(answer.reply.notes);
 }
 
-void IoClient::writePicture(const Picture& picture, const fs::path& path) {
+void IoClient::writePicture(const Picture& picture, const fs::path& path, bool transparent) {
     if (picture.pixels.empty()) throw Error(path.string(), "the picture is empty", "draw it first");
     const OutputFolder folder(path);
     IoRequest request = requestFor(IoTask::WritePicture, folder.file(), path);
     request.pictureSize = picture.size;
+    request.transparent = transparent;
     const FileDescriptor pixels = memoryFileOf(std::as_bytes(std::span(picture.pixels)), nullptr);
     const auto answer = process_->ask(std::move(request), pixels.get(), nullptr);
     throwIfFailed(answer.reply, IoReply::Kind::Written);

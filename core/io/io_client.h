@@ -101,8 +101,9 @@ public:
     void writeVolume(const Volume& volume, const std::filesystem::path& path, Progress* progress = nullptr);
 
     /// Writes .png (8-bit RGB) or .exr (float RGBA, converted from sRGB to linear light) by ending; beside `path`, then
-    /// renamed. Throws Error.
-    void writePicture(const Picture& picture, const std::filesystem::path& path);
+    /// renamed. A `transparent` picture's colours are multiplied by alpha, no background under them: it becomes a PNG
+    /// of 8-bit RGBA with straight alpha, or an EXR whose linear light is multiplied by alpha. Throws Error.
+    void writePicture(const Picture& picture, const std::filesystem::path& path, bool transparent = false);
 
     /// Reads a picture that OpenImageIO knows, first frame or page, as RGBA (values as stored, 0…1). Throws Error.
     Picture readPicture(const std::filesystem::path& path);

@@ -109,6 +109,7 @@ void describeRequest(Archive& archive, Request& r) {
     archive(r.grid);
     archive(r.type);
     archive(r.pictureSize);
+    archive(r.transparent);
 }
 
 template <class Archive, class Reply>

@@ -28,6 +28,7 @@ struct IoRequest {
     VolumeGrid grid;                // writing a volume
     VoxelType type = VoxelType::UInt8;
     Index2 pictureSize{0};  // writing a picture
+    bool transparent = false;
 };
 
 /// Parser to client: any number of Progress, then one of the others. Volume, Mesh, Picture and Motion carry a memory

@@ -1,16 +1,22 @@
 #include "app/editor/platform/viewport_picture.h"
 
 #include <chrono>
+#include <cmath>
 #include <string_view>
 
 #include "app/editor/platform/enlarge.h"
+#include "core/scene/tones.h"
 
 namespace voledit {
 
 namespace {
 
-const ProgramVariant kCopied{"screen.vert", "present.frag", {}};
-const ProgramVariant kEnlarged{"screen.vert", "present.frag", {"ENLARGED"}};
+ProgramVariant presentVariant(bool enlarged, bool toned) {
+    ProgramVariant variant{"screen.vert", "present.frag", {}};
+    if (enlarged) variant.defines.push_back("ENLARGED");
+    if (toned) variant.defines.push_back("TONED");
+    return variant;
+}
 
 double millisecondsNow() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -63,14 +69,18 @@ void ViewportPicture::ensureTargets(Index2 size) {
 }
 
 // Without a GPU the processor enlarges pictures several times as fast by itself, and its own need no detour.
-void ViewportPicture::present(const Vec3f& background) {
-    if (!softwareGl_ || (!schedule_.drawnByRays() && schedule_.pictureSize() == size_))
-        return presentTexture(background);
-    enlarge(schedule_.picture(), size_, bytes_);
+void ViewportPicture::present(const RenderSettings& settings) {
+    if (!softwareGl_ || (!schedule_.drawnByRays() && schedule_.pictureSize() == size_)) return presentTexture(settings);
+    RenderSettings shown = settings;
+    shown.transparent = false;
+    if (Tones(shown).none())
+        enlarge(schedule_.picture(), size_, bytes_);
+    else
+        enlarge(finishedPicture(schedule_.picture(), shown), size_, bytes_);
     glTextureSubImage2D(base_.name(), 0, 0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes_.data());
 }
 
-void ViewportPicture::presentTexture(const Vec3f& background) {
+void ViewportPicture::presentTexture(const RenderSettings& settings) {
     const SourceTexture texture = schedule_.texture();
     const Index2 from = schedule_.pictureSize();
     glBindFramebuffer(GL_FRAMEBUFFER, baseTarget_.name());
@@ -80,10 +90,15 @@ void ViewportPicture::presentTexture(const Vec3f& background) {
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
-    Program& program = shaders_.get(from == size_ ? kCopied : kEnlarged);
+    const bool toned = !Tones(settings).none();
+    Program& program = shaders_.get(presentVariant(from != size_, toned));
+    if (toned) {
+        program.set("exposureGain", float(std::exp2(settings.exposure)));
+        program.set("filmicCurve", int(settings.toneMapping == ToneMapping::Filmic));
+    }
     program.set("picture", 0);
     program.set("flipped", int(texture.flipped));
-    program.set("background", background);
+    program.set("background", Vec3f(settings.background));
     program.set("opaque", int(texture.opaque));
     // A picture's height is the camera's field of view; whole pixels make it a little wider or narrower than the view.
     const double wide = double(size_.x) / size_.y * from.y / from.x;
@@ -101,13 +116,13 @@ bool ViewportPicture::update(const CompiledScene& scene, Index2 size, RendererCh
                              const PictureSchedule::Frame& frame) {
     ensureTargets(size);
     const bool complete = schedule_.update(scene, size, choice, frame);
-    if (complete) present(Vec3f(scene.render.background));
+    if (complete) present(scene.render);
     return complete;
 }
 
 void ViewportPicture::finish(const CompiledScene& scene, Index2 size, RendererChoice choice) {
     ensureTargets(size);
-    if (schedule_.finish(scene, size, choice)) present(Vec3f(scene.render.background));
+    if (schedule_.finish(scene, size, choice)) present(scene.render);
 }
 
 GLuint ViewportPicture::framebuffer(const Overlay& overlay, const Camera& camera) {

@@ -38,8 +38,8 @@ public:
 
 private:
     void ensureTargets(Index2 size);
-    void present(const Vec3f& background);
-    void presentTexture(const Vec3f& background);
+    void present(const RenderSettings& settings);
+    void presentTexture(const RenderSettings& settings);
 
     ShaderLibrary& shaders_;
     bool softwareGl_;

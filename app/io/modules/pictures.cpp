@@ -162,10 +162,12 @@ void voleditReadPicture(const Source& source, Picture& picture) {
     }
 }
 
-void voleditWriteExr(const Picture& picture, const Source& target) {
+void voleditWriteExr(const Picture& picture, const Source& target, bool transparent) {
     Picture linear = picture;
-    for (Vec4f& p : linear.pixels)
-        for (int c = 0; c < 3; ++c) p[c] = linearFromSrgb(p[c]);
+    for (Vec4f& p : linear.pixels) {
+        const float alpha = transparent && p.a > 0 ? p.a : 1;
+        for (int c = 0; c < 3; ++c) p[c] = alpha * linearFromSrgb(p[c] / alpha);
+    }
     OIIO::ImageSpec spec(picture.size.x, picture.size.y, 4, OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("DateTime", "");  // else OpenImageIO writes the present: equal pictures shall be equal files

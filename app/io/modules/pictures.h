@@ -28,7 +28,8 @@ extern "C" void voleditReadSlices(const SliceStack& stack, VolumeSink& sink);
 /// Error.
 extern "C" void voleditReadPicture(const Source& source, Picture& picture);
 
-/// Writes OpenEXR: float RGBA in linear light. Throws Error.
-extern "C" void voleditWriteExr(const Picture& picture, const Source& target);
+/// Writes OpenEXR: float RGBA in linear light; of a `transparent` picture, whose colours are multiplied by alpha, light
+/// that is multiplied by alpha. Throws Error.
+extern "C" void voleditWriteExr(const Picture& picture, const Source& target, bool transparent);
 
 }  // namespace voledit

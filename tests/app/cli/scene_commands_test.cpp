@@ -80,6 +80,55 @@ TEST(RenderCommand, CameraFileIsUsed) {
     for (const Vec4f& p : files.io.readPicture(files.at("away.png")).pixels) EXPECT_EQ(p.r, 0);
 }
 
+TEST(RenderCommand, SupersampledPixelsAreMeansOfFourTimesAsMany) {
+    BentBall files;
+    const std::string scene = files.scene(kBend);
+    const auto draw = [&](const std::string& name, std::vector<std::string> more) {
+        std::vector<std::string> words{"render", scene, "-o", files.at(name), "--renderer", "rays"};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto result = run("voledit", words);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return files.io.readPicture(files.at(name));
+    };
+    const Picture fine = draw("fine.png", {"--size", "80x60"}),
+                  means = draw("means.png", {"--size", "40x30", "--supersample", "2"});
+    ASSERT_EQ(means.size, Index2(40, 30));
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const float sum = fine.at(2 * x, 2 * y)[c] + fine.at(2 * x + 1, 2 * y)[c] +
+                                  fine.at(2 * x, 2 * y + 1)[c] + fine.at(2 * x + 1, 2 * y + 1)[c];
+                EXPECT_NEAR(means.at(x, y)[c], sum / 4, 1.001 / 255);  // both are rounded to bytes
+            }
+    EXPECT_EQ(run("voledit", {"render", scene, "-o", files.at("no.png"), "--supersample", "0"}).status, 2);
+    EXPECT_EQ(
+        run("voledit", {"render", scene, "-o", files.at("no.png"), "--size", "9000x20", "--supersample", "2"}).status,
+        2);
+}
+
+TEST(RenderCommand, ATransparentPictureOverItsBackgroundIsTheOpaqueOne) {
+    BentBall files;
+    const std::string scene = files.scene(kBend);
+    json j = json::parse(std::ifstream(scene));
+    const auto draw = [&](bool transparent) {
+        j["render"] = {{"background", {0.2, 0.4, 0.6}}, {"transparent", transparent}};
+        std::ofstream(scene) << j;
+        const auto result =
+            run("voledit", {"render", scene, "-o", files.at("a.png"), "--size", "80x60", "--renderer", "rays"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return files.io.readPicture(files.at("a.png"));
+    };
+    const Picture opaque = draw(false), cutOut = draw(true);
+    const Vec3f background(0.2f, 0.4f, 0.6f);
+    EXPECT_EQ(cutOut.at(0, 0), Vec4f(0));
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const Vec4f p = cutOut.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(p.a * p[c] + (1 - p.a) * background[c], opaque.at(x, y)[c], 2.0 / 255);
+        }
+}
+
 TEST(VoxelizeCommand, UnmovedLatticeKeepsEveryVoxelAndTheSourcesType) {
     BentBall files;
     const auto result = run("voledit", {"voxelize", files.scene(R"([{"type":"ffd"}])"), "-o", files.at("same.nrrd"),

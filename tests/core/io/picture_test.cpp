@@ -45,6 +45,41 @@ TEST(Pictures, ExrHoldsLinearLight) {
     EXPECT_NEAR(back.at(2, 0).y, -0.2140411, 1e-6);
 }
 
+// Colours multiplied by alpha: half covered by 0.8, 0.4, 0; nothing; all of 1, 0.5, 0.25.
+Picture cutOut() {
+    Picture picture(Index2(3, 1));
+    picture.at(0, 0) = Vec4f(0.4f, 0.2f, 0, 0.5f);
+    picture.at(2, 0) = Vec4f(1, 0.5f, 0.25f, 1);
+    return picture;
+}
+
+TEST(Pictures, ATransparentPngHasStraightAlpha) {
+    const fs::path path = test::scratchFolder() / "a.png";
+    IoClient io;
+    io.writePicture(cutOut(), path, true);
+    const Picture back = io.readPicture(path);
+    const auto bytesAt = [&](int x) {
+        const Vec4f scaled = 255.0f * back.at(x, 0);
+        return std::vector<long>{std::lround(scaled.r), std::lround(scaled.g), std::lround(scaled.b),
+                                 std::lround(scaled.a)};
+    };
+    EXPECT_EQ(bytesAt(0), (std::vector<long>{204, 102, 0, 128}));
+    EXPECT_EQ(bytesAt(1), (std::vector<long>{0, 0, 0, 0}));
+    EXPECT_EQ(bytesAt(2), (std::vector<long>{255, 128, 64, 255}));
+}
+
+TEST(Pictures, ATransparentExrHasLightMultipliedByAlpha) {
+    const fs::path path = test::scratchFolder() / "a.exr";
+    IoClient io;
+    io.writePicture(cutOut(), path, true);
+    const Picture back = io.readPicture(path);
+    // IEC 61966-2-1: 0.8 is 0.60383 of the light, half of which reaches the eye; 0.5 is 0.21404.
+    EXPECT_NEAR(back.at(0, 0).r, 0.5 * 0.603827, 1e-5);
+    EXPECT_NEAR(back.at(0, 0).a, 0.5, 1e-7);
+    EXPECT_EQ(back.at(1, 0), Vec4f(0));
+    EXPECT_NEAR(back.at(2, 0).g, 0.2140411, 1e-6);
+}
+
 TEST(Pictures, GreyIsSpread) {
     const fs::path folder = test::scratchFolder();
     IoClient io;
