@@ -18,6 +18,9 @@ SlicePicture::SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, 
     content_ = makeContent(workshop, scene, step, view_.longestRay());
     folded_ = content_->folded();
     slabDepth_ = step * content_->stepsOfSlab();
+    const Surroundings surroundings(scene);
+    surrounded_ = !surroundings.none();
+    if (surrounded_) workshop.surroundings.prepare(surroundings);
     workshop.target.start(size);
     if (folded_) workshop.fold.resize(size);
     for (const SliceContent::Part& part : content_->parts()) addLayer(part);
@@ -31,9 +34,12 @@ SlicePicture::SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, 
 
 void SlicePicture::addLayer(const SliceContent::Part& part) {
     const bool mapped = part.mesh->kind == CellMesh::Kind::Tetrahedron;
-    std::array<Program*, 2> programs{&workshop_.shaders.get(content_->variant(part, 0)), nullptr};
-    if (folded_ && !part.alone && FoldTarget::passes(*folded_) == 2)
-        programs[1] = &workshop_.shaders.get(content_->variant(part, 1));
+    const auto programOf = [&](int pass) {
+        const ProgramVariant variant = content_->variant(part, pass);
+        return &workshop_.shaders.get(surrounded_ ? withSurroundings(variant) : variant);
+    };
+    std::array<Program*, 2> programs{programOf(0), nullptr};
+    if (folded_ && !part.alone && FoldTarget::passes(*folded_) == 2) programs[1] = programOf(1);
     SliceWorkshop& w = workshop_;
     layers_.push_back({mapped, part.alone, part.placeFromWorld,
                        CellSlicer(*part.mesh, view_, content_->domain(), content_->visibility()),
@@ -76,8 +82,6 @@ void SlicePicture::setUniforms(Program& p, const Layer& layer, const CompiledSce
     const Mat3 placeFromWorld(layer.placeFromWorld);
     Mat3 atReference = referenceDepth_ * (placeFromWorld * rays);
     atReference[0] += transformPoint(layer.placeFromWorld, view_.eye);
-    const RenderSettings& render = scene.render;
-    const Vec3 light = render.light ? glm::normalize(*render.light) : Vec3(0);
 
     p.set("rayPerDepth", Mat3f(rays));
     p.set("indexAtReference", Mat3f(atReference));
@@ -85,8 +89,8 @@ void SlicePicture::setUniforms(Program& p, const Layer& layer, const CompiledSce
     p.set("indexFromWorld", Mat3f(placeFromWorld));
     p.set("slabDepth", float(slabDepth_));
     p.set("opacityDistance", float(scene.opacityDistance));
-    p.set("lighting", Vec4f(render.ambient, render.diffuse, render.specular, render.shininess));
-    p.set("towardLight", Vec4f(light, render.light ? 1 : 0));
+    setLights(p, scene.render, lightsOf(scene.render, scene.camera));
+    if (surrounded_) workshop_.surroundings.setUniforms(p, scene.render, view_, referenceDepth_);
     content_->setUniforms(p);
 }
 
@@ -114,6 +118,7 @@ void SlicePicture::cut(int count) {
 void SlicePicture::draw(int count) {
     count = std::min(count, endBatch_ - nextBatch_);
     cut(count);
+    if (surrounded_) workshop_.surroundings.bind();
     for (int n = 0; n < count; ++n) {
         folded_ ? drawFolded(n) : drawBatch(n);
         ++nextBatch_;

@@ -7,6 +7,7 @@
 #include "core/scene/compile.h"
 #include "render/cell_slicer.h"
 #include "render/fold_target.h"
+#include "render/light_uniforms.h"
 #include "render/shader_library.h"
 #include "render/slice_content.h"
 #include "render/slice_geometry.h"
@@ -29,6 +30,7 @@ struct SliceWorkshop {
     TermMesh termMesh;
     SliceTarget target;
     FoldTarget fold;
+    SurroundingsTexture surroundings;
     /// Polygons of the bricks, of the cells, and of those that overlap no other; batches are kept for their memory.
     SliceGeometry bricks{false}, cells{true}, aloneCells{true};
     std::vector<SliceBatch> brickBatches, cellBatches, aloneBatches;
@@ -78,6 +80,7 @@ private:
     View view_;
     std::unique_ptr<SliceContent> content_;
     std::optional<Combine> folded_;
+    bool surrounded_ = false;  // shadows or occlusion
     double slabDepth_ = 1;
     std::vector<Layer> layers_;
     Program* composite_ = nullptr;

@@ -46,6 +46,12 @@ ProgramVariant termVariant(const TermProgram& program, bool mapped, bool shaded)
     return variant;
 }
 
+ProgramVariant withSurroundings(ProgramVariant variant) {
+    const auto& defines = variant.defines;
+    if (std::find(defines.begin(), defines.end(), "SHADED") != defines.end()) variant.defines.push_back("SURROUNDINGS");
+    return variant;
+}
+
 std::vector<ProgramVariant> allPrograms() {
     std::vector<ProgramVariant> programs{{"fullscreen.vert", "mask.frag", {}}, {"overlay.vert", "overlay.frag", {}}};
     const std::array<Combine, 4> combines{Combine::Union, Combine::Merge, Combine::Intersection, Combine::First};
@@ -64,6 +70,8 @@ std::vector<ProgramVariant> allPrograms() {
             for (const int pass : {0, 1})
                 for (const bool cover : {false, true}) programs.push_back(foldVariant(variant, combine, pass, cover));
     }
+    const std::size_t plain = programs.size();
+    for (std::size_t n = 0; n < plain; ++n) programs.push_back(withSurroundings(programs[n]));
     std::sort(programs.begin(), programs.end());
     programs.erase(std::unique(programs.begin(), programs.end()), programs.end());
     return programs;

@@ -27,6 +27,9 @@ ProgramVariant foldCompositeVariant(Combine combine);
 /// The program of a term.
 ProgramVariant termVariant(const TermProgram& program, bool mapped, bool shaded);
 
+/// The same with shadows and occlusion; only where it is lit.
+ProgramVariant withSurroundings(ProgramVariant variant);
+
 /// Every program that the renderers use, for tests that compile them all.
 std::vector<ProgramVariant> allPrograms();
 

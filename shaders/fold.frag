@@ -1,7 +1,7 @@
 #version 450 core
 // fold.frag: one pre-image of a fragment of a slice where several may lie upon each other. Depth picks one of them:
 // 1 - opacity, or with FIRST the same for all, so that the first drawn stays.
-//   variants  MAPPED, LOCATED, SHADED, GRADIENT_OPACITY, REAL_VOXELS   as slice.frag has them
+//   variants  MAPPED, LOCATED, SHADED, SURROUNDINGS, GRADIENT_OPACITY, REAL_VOXELS   as slice.frag has them
 //             COVER   pre-images with nothing to be seen are drawn too, as they hide or cover others
 //             FIRST   depth is left as it is
 //             ADD     colour times opacity, and opacity, to be summed
@@ -11,6 +11,7 @@
 #include "common/slice_input.glsl"
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
+#include "common/surroundings.glsl"
 #ifdef LOCATED
 #include "common/cell_search.glsl"
 #include "common/located.glsl"
@@ -51,7 +52,7 @@ void main() {
 #endif
     vec2 light = vec2(1.0, 0.0);
 #ifdef SHADED
-    light = reflected(transpose(jacobian) * gradient, ray);
+    light = reflected(transpose(jacobian) * gradient, ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
 #endif
     vec3 color = colorAt(entry);
     float clear = exp(-thickness);

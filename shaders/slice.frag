@@ -3,6 +3,7 @@
 //   variants  MAPPED            index coordinates and Jacobian come from the polygon; else from one matrix
 //             LOCATED           those are grid coordinates of a further map, in which each point is located
 //             SHADED            Blinn-Phong by the gradient
+//             SURROUNDINGS      with shadows and occlusion
 //             GRADIENT_OPACITY  a factor on opacity over the gradient's magnitude
 //             REAL_VOXELS       the volume holds floats, which may be NaN: nothing is seen there
 //             SEGMENTS=n        parts of the slab that are classified one by one
@@ -12,6 +13,7 @@
 #include "common/slice_input.glsl"
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
+#include "common/surroundings.glsl"
 #ifdef LOCATED
 #include "common/cell_search.glsl"
 #include "common/located.glsl"

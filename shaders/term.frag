@@ -5,9 +5,11 @@
 //              TERM_CELLS    the term has mapped cells
 //              TERM_QUADS=n  groups of numbers
 //              SHADED        Blinn-Phong by the gradient
+//              SURROUNDINGS  with shadows and occlusion
 //   out        color         premultiplied by alpha, to be composited under what is there
 #include "common/slice_input.glsl"
 #include "common/lighting.glsl"
+#include "common/surroundings.glsl"
 #include "common/formula.glsl"
 #include "term/numbers.glsl"
 #include "term/volumes.glsl"

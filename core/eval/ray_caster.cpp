@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/eval/surroundings.h"
 #include "core/objects/empty_space.h"
 
 namespace voledit {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
 constexpr double kOpaque = 1e-5;            // transmittance below which the rest of a ray cannot be seen
+constexpr double kSlight = 1 / 512.0;       // share of a pixel for which light is not followed anew
 constexpr std::size_t kFirstBlock = 16, kLargestBlock = 256;  // samples of a ray evaluated together
 
 struct Ray {
@@ -43,7 +45,12 @@ std::optional<Ray> clipped(const Vec3& origin, const Vec3& direction, const Box3
 class RayCaster {
 public:
     RayCaster(const CompiledScene& scene, Index2 size)
-        : scene_(scene), space_(emptySpaceOf(*scene.root)), size_(size), step_(scene.stepLength()) {
+        : scene_(scene),
+          space_(emptySpaceOf(*scene.root)),
+          lights_(lightsOf(scene.render, scene.camera)),
+          surroundings_(scene),
+          size_(size),
+          step_(scene.stepLength()) {
         assert(step_ > 0 && scene.opacityDistance > 0);
     }
 
@@ -60,7 +67,7 @@ public:
 private:
     void march(const Ray& ray) {
         toEye_ = -ray.direction;
-        toLight_ = scene_.render.light ? glm::normalize(*scene_.render.light) : toEye_;
+        share_.reset();
         const double length = ray.far - ray.near;
         const auto steps = std::size_t(std::ceil(length / step_));
         std::size_t block = kFirstBlock;  // small at first: many rays end soon after they meet a surface
@@ -94,8 +101,11 @@ private:
             if (!(s.opacity > 0)) continue;
             const double through =
                 std::pow(1 - std::min(s.opacity, kLargestOpacity), lengths_[n] / scene_.opacityDistance);
-            const Vec3 color = shade(scene_.render, s.color, s.normalGradient, toEye_, toLight_);
-            color_ += transmittance_ * (1 - through) * color;
+            const double weight = transmittance_ * (1 - through);
+            if (!surroundings_.none() && s.normalGradient != Vec3(0) && (!share_ || weight > kSlight))
+                share_ = surroundings_.at(points_[n], lights_.towardFirst(toEye_));
+            color_ += weight * litColor(scene_.render, lights_, s.color, s.normalGradient, toEye_,
+                                        share_.value_or(LightShare()));
             transmittance_ *= through;
         }
         points_.clear();
@@ -104,9 +114,12 @@ private:
 
     const CompiledScene& scene_;
     const EmptySpace& space_;
+    Lights lights_;
+    Surroundings surroundings_;
     Index2 size_;
     double step_;
-    Vec3 toEye_{0}, toLight_{0};
+    Vec3 toEye_{0};
+    std::optional<LightShare> share_;  // of the ray's last sample
     Vec3 color_{0};
     double transmittance_ = 1;
     std::uint64_t samples_ = 0;
@@ -127,6 +140,7 @@ void castPixels(const CompiledScene& scene, Picture& picture, Index2 first, Inde
 
 Picture castRays(const CompiledScene& scene, Index2 size, RayStatistics* statistics, Progress* progress) {
     Picture picture(size);
+    const Surroundings prepared(scene);  // kept with the term; rows find it there
     std::atomic<std::uint64_t> samples{0};
     std::atomic<int> done{0};
     parallelFor(std::size_t(size.y), 1, [&](std::size_t begin, std::size_t end) {

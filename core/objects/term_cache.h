@@ -3,8 +3,10 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "core/objects/empty_space.h"
+#include "core/objects/opacity_grid.h"
 
 namespace voledit {
 
@@ -20,11 +22,23 @@ public:
         std::call_once(spaceOnce_, [&] { space_ = std::make_unique<const EmptySpace>(term); });
         return *space_;
     }
+    /// The last one that was asked for is kept.
+    std::shared_ptr<const OpacityGrid> opacityGrid(const Term& term, double spacing, double opacityDistance) const {
+        const std::lock_guard lock(gridLock_);
+        if (!grid_ || gridFor_ != std::pair(spacing, opacityDistance)) {
+            grid_ = std::make_shared<const OpacityGrid>(term, spacing, opacityDistance);
+            gridFor_ = {spacing, opacityDistance};
+        }
+        return grid_;
+    }
 
 private:
     mutable std::once_flag bricksOnce_, spaceOnce_;
     mutable std::unique_ptr<const VisibleBricks> bricks_;
     mutable std::unique_ptr<const EmptySpace> space_;
+    mutable std::mutex gridLock_;
+    mutable std::shared_ptr<const OpacityGrid> grid_;
+    mutable std::pair<double, double> gridFor_;
 };
 
 }  // namespace voledit

@@ -137,7 +137,7 @@ vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
     // Where there is a jump, the mean place could be a clear one.
     float where = jumps ? slab.widestDepth : slab.where / max(alpha, 1e-20);
     Sample lit = litTermAt(place + where * perDepth);
-    vec2 light = reflected(lit.gradient * jacobian, ray);
+    vec2 light = reflected(lit.gradient * jacobian, ray, lightShare(where, alpha, ray));
     if (alpha > 0.0) slab.seen = slab.seen * light.x + alpha * light.y;
 #endif
     return vec4(slab.seen, alpha);

@@ -70,7 +70,7 @@ vec4 volumeSlab(SlabRay at, vec3 ray) {
             mat3 jacobian;
             placeOn(at, where / alpha, index, jacobian);
             vec3 gradient = rawDifferencesAt(index);
-            vec2 light = reflected(transpose(jacobian) * gradient, ray);
+            vec2 light = reflected(transpose(jacobian) * gradient, ray, lightShare(where / alpha, alpha, ray));
             part = part * light.x + alpha * light.y;
         }
 #endif

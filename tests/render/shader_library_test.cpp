@@ -42,7 +42,10 @@ TEST(ShaderLibrary, EveryProgramAndVariantCompiles) {
     for (const TermPtr& term : {plain, bent}) {
         const TermProgram made = makeTermProgram(term);
         for (const bool mapped : {false, true})
-            for (const bool shaded : {false, true}) EXPECT_NO_THROW(library.get(termVariant(made, mapped, shaded)));
+            for (const bool shaded : {false, true}) {
+                EXPECT_NO_THROW(library.get(termVariant(made, mapped, shaded)));
+                EXPECT_NO_THROW(library.get(withSurroundings(termVariant(made, mapped, shaded))));
+            }
         EXPECT_NO_THROW(library.get({"fullscreen.vert", "term_probe.frag", made.defines(), made.text}));
     }
 }
