@@ -1,6 +1,7 @@
 #include "core/rays/tile_caster.h"
 
 #include "core/eval/ray_caster.h"
+#include "core/eval/surroundings.h"
 #include "core/rays/cell_tiles.h"
 #include "core/stf/mapped_cells.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 class GeneralTiles final : public TileCaster {
 public:
-    explicit GeneralTiles(const CompiledScene& scene) : scene_(scene) {}
+    explicit GeneralTiles(const CompiledScene& scene) : scene_(scene), prepared_(scene) {}
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {
         RayStatistics statistics;
         castPixels(scene_, picture, first, end, &statistics);
@@ -19,6 +20,7 @@ public:
 
 private:
     CompiledScene scene_;
+    Surroundings prepared_;  // known to all tiles before the first
 };
 
 /// The way down to a volume through maps that show each of its points at most once a place; nullptr at `volume` where
