@@ -21,10 +21,6 @@ TermPtr ballOnTable() {
     return makeVolumeTerm(volume, 0, softAppearance());
 }
 
-double unitOf(const TermPtr&) {
-    return 2 / 47.0;
-}
-
 struct Kind {
     const char* name;
     TermPtr term;
@@ -39,21 +35,21 @@ std::vector<Kind> kinds() {
             {"located", through(bentLattice(box), through(bentLattice(box), plain))},
             {"folds", through(foldedLattice(box), plain)},
             {"formulas", through(library("twist", box, {{"angle", number(0.6)}}), plain)},
-            {"union", makeCvgTerm(CvgOperator::Union, {plain, solid(BoxShape{Vec3(0.5, -0.9, -0.9), Vec3(0.7, -0.2, 0.5)},
-                                                                    Vec3(0.3, 0.5, 0.9))})}};
+            {"union",
+             makeCvgTerm(CvgOperator::Union,
+                         {plain, solid(BoxShape{Vec3(0.5, -0.9, -0.9), Vec3(0.7, -0.2, 0.5)}, Vec3(0.3, 0.5, 0.9))})}};
 }
 
-// What slices and rays differ by without any of this, 40 to 50 dB for these, must not become more: the marches are the
-// same but for single precision, and a slab takes one place of light where rays take one a sample.
+// 46 dB is what slices reach against rays on scans at the usual step (render/README.md); the marches are the same but
+// for single precision, so light must not be what limits them.
 TEST(LightOfSlices, IsThatOfRays) {
     for (const Kind& kind : kinds()) {
-        CompiledScene scene = sceneOf(kind.term, unitOf(kind.term));
-        const double plain = psnr(slicesOf(scene, kSize), raysOf(scene, kSize, 4));
+        CompiledScene scene = sceneOf(kind.term, 2 / 47.0);
         scene.render.rig = LightRig::KeyFillRim;
-        EXPECT_GT(psnr(slicesOf(scene, kSize), raysOf(scene, kSize, 4)), plain - 2) << kind.name << ", rig";
+        EXPECT_GT(psnr(slicesOf(scene, kSize), raysOf(scene, kSize, 4)), 46) << kind.name << ", rig";
         scene.render.shadows = 1;
         scene.render.occlusion = 1;
-        EXPECT_GT(psnr(slicesOf(scene, kSize), raysOf(scene, kSize, 4)), plain - 3) << kind.name << ", surroundings";
+        EXPECT_GT(psnr(slicesOf(scene, kSize), raysOf(scene, kSize, 4)), 46) << kind.name << ", surroundings";
     }
 }
 
@@ -67,9 +63,10 @@ TEST(LightOfSlices, ShadowsFallOnTheTableAndNowhereElse) {
         const Vec3 pixel = project(scene.camera, kSize, p);
         return shadowed.at(int(pixel.x), int(pixel.y)).g / bright.at(int(pixel.x), int(pixel.y)).g;
     };
-    EXPECT_LT(ratioAt({0.2, -0.2, -0.35}), 0.6);   // beneath the ball, where it is seen
-    EXPECT_GT(ratioAt({0.65, -0.65, -0.35}), 0.97);  // the open table
-    EXPECT_GT(ratioAt({0.05, -0.1, 0.53}), 0.97);   // the ball's top
+    EXPECT_LT(ratioAt({0.2, -0.2, -0.35}), 0.6);  // beneath the ball, where it is seen
+    // The open table and the ball's top: the light passes what is soft on its way to what is seen, no more.
+    EXPECT_GT(ratioAt({0.65, -0.65, -0.35}), 0.92);
+    EXPECT_GT(ratioAt({0.05, -0.1, 0.53}), 0.92);
 }
 
 TEST(LightOfSlices, TexturesFollowTheScene) {
