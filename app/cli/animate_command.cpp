@@ -25,6 +25,7 @@
 #include "app/cli/output.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/io/reduced_volumes.h"
 
 namespace voledit {
 
@@ -269,6 +270,7 @@ void encodeVideo(const VideoEncoder& encoder, const CommonArguments& common, con
 }
 
 int animate(const AnimateArguments& a, const CommonArguments& common) {
+    setMayReduceVolumes(true);
     const AnimationOutput output = outputOf(a);
     checkArguments(a, output.kind());
     if (a.worker) return work(a, output);

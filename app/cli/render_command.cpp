@@ -9,6 +9,7 @@
 #include "app/cli/output.h"
 #include "app/cli/picture_arguments.h"
 #include "core/base/error.h"
+#include "core/io/reduced_volumes.h"
 
 namespace voledit {
 
@@ -74,6 +75,7 @@ void writeStatistics(const std::string& path, const Drawing& drawing, Index2 siz
 
 int render(const RenderArguments& a, const CommonArguments& common) {
     checkArguments(a);
+    setMayReduceVolumes(true);
     const Index2 size = a.picture.pixels();
     const auto drawing = a.picture.drawing();
     checkWritable(a.output);

@@ -6,6 +6,7 @@
 
 #include "app/editor/session.h"
 #include "core/base/error.h"
+#include "core/io/reduced_volumes.h"
 
 namespace voledit {
 
@@ -45,6 +46,7 @@ int runEditor(const EditorOptions& given) {
     std::vector<Event> events;
     if (!given.play.empty()) events = loadEvents(given.play);
     const EditorOptions options = given.play.empty() ? given : withRecordedWindow(given);
+    setMayReduceVolumes(true);
     Session session(options);
     int status = 0;
     try {

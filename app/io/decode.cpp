@@ -30,6 +30,7 @@ std::uint64_t shortestText(const PartTask& task) {
 
 void copyRaw(const PartTask& task, const InputFile& file, std::span<std::byte> out) {
     const std::uint64_t start = task.part.offset + task.stored.skip;
+    if (task.sink.copy(file, start, out, task.from, task.to)) return;
     for (std::size_t at = 0; at < out.size(); at += kChunk) {
         const auto chunk = out.subspan(at, std::min(kChunk, out.size() - at));
         if (file.readAt(start + at, chunk) != chunk.size())

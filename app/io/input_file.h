@@ -24,6 +24,7 @@ public:
 
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
+    int descriptor() const { return file_.get(); }
 
     /// Reads up to out.size() bytes from `offset`; fewer only at the file's end. Throws Error.
     std::size_t readAt(std::uint64_t offset, std::span<std::byte> out) const;

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/io/checks.h"
+#include "app/io/copy_file.h"
 #include "app/io/header_text.h"
 #include "app/io/limits.h"
 #include "app/io/module_loader.h"
@@ -53,7 +54,8 @@ private:
 /// Receives a volume or mesh into a memory file.
 class MemorySink final : public VolumeSink {
 public:
-    MemorySink(ProgressReporter& reporter, std::uint64_t memoryLimit) : reporter_(reporter), limit_(memoryLimit) {}
+    MemorySink(ProgressReporter& reporter, const IoRequest& request)
+        : reporter_(reporter), limit_(request.memoryLimit), mayReduce_(request.mayReduce) {}
 
     std::span<std::byte> allocate(const std::string& where, const VolumeHeader& header) override {
         header_ = header;
@@ -80,6 +82,15 @@ public:
         slope_ = slope;
         intercept_ = intercept;
     }
+    std::uint64_t memoryLimit() const override { return limit_; }
+    bool mayReduce() const override { return mayReduce_; }
+    bool copy(const InputFile& file, std::uint64_t offset, std::span<std::byte> out, double from, double to) override {
+        const std::ptrdiff_t at = out.data() - mapping_.bytes.data();
+        if (mapping_.bytes.empty() || at < 0 || std::size_t(at) + out.size() > mapping_.bytes.size()) return false;
+        const MemoryLimitLifted lifted;  // the file's own pages, a few at a time
+        return copyToMemory(file, offset, out.size(), file_.get(), std::uint64_t(at),
+                            [&](double fraction) { progress(from + (to - from) * fraction); });
+    }
     void progress(double fraction) override { reporter_(0.9 * fraction); }
     void warn(const std::string& message) override { warnings_.push_back(message); }
 
@@ -95,6 +106,7 @@ public:
         reply.storedType = header_.storedType;
         reply.notes = std::move(warnings_);
         reporter_(0.9);
+        const MemoryLimitLifted lifted;  // threads have stacks
         reply.statistics =
             mesh_ ? std::move(statistics_) : statisticsOf(header_.type, mapping_.bytes, header_.grid.channels);
         mapping_ = {};
@@ -127,6 +139,7 @@ private:
 
     ProgressReporter& reporter_;
     std::uint64_t limit_;
+    bool mayReduce_;
     VolumeHeader header_;
     std::optional<MeshCounts> mesh_;
     VolumeStatistics statistics_;  // of a mesh
@@ -139,7 +152,7 @@ private:
 using Answer = std::pair<IoReply, FileDescriptor>;
 
 Answer readVolume(const IoRequest& request, ProgressReporter& reporter) {
-    MemorySink sink(reporter, request.memoryLimit);
+    MemorySink sink(reporter, request);
     readAnyVolume(request, sink);
     return sink.finish();
 }

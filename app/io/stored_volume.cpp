@@ -1,12 +1,13 @@
 #include "app/io/stored_volume.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <memory>
 
+#include "app/io/byte_order.h"
 #include "app/io/checks.h"
 #include "app/io/decode.h"
+#include "app/io/reduce.h"
 #include "app/io/stored_type.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -76,26 +77,6 @@ void readValues(const StoredVolume& s, std::span<std::byte> out, VolumeSink& sin
     }
 }
 
-template <class T>
-void reverseBytes(std::span<std::byte> bytes) {
-    T* values = reinterpret_cast<T*>(bytes.data());
-    parallelFor(bytes.size() / sizeof(T), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if constexpr (sizeof(T) == 2) values[i] = __builtin_bswap16(values[i]);
-            if constexpr (sizeof(T) == 4) values[i] = __builtin_bswap32(values[i]);
-            if constexpr (sizeof(T) == 8) values[i] = __builtin_bswap64(values[i]);
-        }
-    });
-}
-
-void toMachineOrder(const StoredVolume& s, std::span<std::byte> bytes) {
-    static_assert(std::endian::native == std::endian::little);
-    if (!s.bigEndian || s.encoding == Encoding::Ascii) return;
-    if (byteSize(s.type) == 2) reverseBytes<std::uint16_t>(bytes);
-    if (byteSize(s.type) == 4) reverseBytes<std::uint32_t>(bytes);
-    if (byteSize(s.type) == 8) reverseBytes<std::uint64_t>(bytes);
-}
-
 /// The smallest type for stored × slope + intercept: a whole-numbered rescale of integers stays whole.
 VoxelType rescaledType(const StoredVolume& s, std::span<const std::byte> bytes) {
     const bool real = s.type == StoredType::Float || s.type == StoredType::Double;
@@ -152,32 +133,57 @@ void convert(const StoredVolume& s, std::span<const std::byte> in, VoxelType typ
     });
 }
 
+namespace {
+
+VolumeHeader headerOf(const StoredVolume& s) {
+    VolumeHeader header;
+    for (int a = 0; a < 3; ++a) header.grid.size[a] = int(s.size[std::size_t(a)]);
+    header.grid.channels = int(s.channels);
+    header.grid.worldFromIndex = s.worldFromIndex;
+    header.format = s.format;
+    header.storedType = nameOf(s.type);
+    return header;
+}
+
+std::string sizeText(const StoredVolume& s) {
+    return std::to_string(s.size[0]) + "x" + std::to_string(s.size[1]) + "x" + std::to_string(s.size[2]);
+}
+
+/// By how much the volume must be reduced; where it must be, the user is told.
+int reductionOf(const Source& source, const StoredVolume& s, VolumeSink& sink) {
+    const int factor = sink.mayReduce() ? reductionFor(s, sink.memoryLimit()) : 1;
+    if (factor > 1)
+        sink.warn(source.name + ": its " + sizeText(s) + " voxels need more than the memory limit of " +
+                  readableBytes(sink.memoryLimit()) + "; it is shown at reduced resolution, " +
+                  sizeText(reducedBy(factor, s)) + " (1/" + std::to_string(factor) +
+                  " along each axis); raise --memory-limit to see it whole");
+    return factor;
+}
+
+}  // namespace
+
 void load(const Source& source, const StoredVolume& stored, VolumeSink& sink) {
     checkDescription(source, stored, sink);
-    VolumeHeader header;
-    for (int a = 0; a < 3; ++a) header.grid.size[a] = int(stored.size[std::size_t(a)]);
-    header.grid.channels = int(stored.channels);
-    header.grid.worldFromIndex = stored.worldFromIndex;
-    header.format = stored.format;
-    header.storedType = nameOf(stored.type);
     if (stored.type >= StoredType::Int64)
         sink.warn(source.name + ": its 64-bit integers are read as double; beyond 2^53 they lose digits");
-
-    if (isPlain(stored)) {
-        header.type = VoxelType(stored.type);
-        const auto voxels = sink.allocate(source.name, header);
-        readValues(stored, voxels, sink);
-        toMachineOrder(stored, voxels);
-        return;
+    const int factor = reductionOf(source, stored, sink);
+    const StoredVolume loaded = factor > 1 ? reducedBy(factor, stored) : stored;
+    VolumeHeader header = headerOf(loaded);
+    const auto fill = [&](std::span<std::byte> values) {
+        if (factor > 1) return readReduced(stored, factor, values, sink);
+        readValues(stored, values, sink);
+        toMachineOrder(stored, values);
+    };
+    if (isPlain(loaded)) {
+        header.type = VoxelType(loaded.type);
+        return fill(sink.allocate(source.name, header));
     }
-    const std::size_t bytes = std::size_t(neededValues(stored)) * byteSize(stored.type);
+    const std::size_t bytes = std::size_t(neededValues(loaded)) * byteSize(loaded.type);
     const auto buffer = std::make_unique_for_overwrite<std::byte[]>(bytes);
     const std::span values(buffer.get(), bytes);
-    readValues(stored, values, sink);
-    toMachineOrder(stored, values);
-    header.type = loadedType(stored, values);
-    const auto voxels = sink.allocate(source.name, header);
-    convert(stored, values, header.type, voxels);
+    fill(values);
+    header.type = loadedType(loaded, values);
+    convert(loaded, values, header.type, sink.allocate(source.name, header));
 }
 
 }  // namespace voledit

@@ -10,6 +10,8 @@
 
 namespace voledit {
 
+class InputFile;
+
 /// All that is known of a volume before its voxels are read.
 struct VolumeHeader {
     VolumeGrid grid;
@@ -35,6 +37,14 @@ public:
     virtual void take(const std::string& where, MeshData mesh, const std::string& storedType) = 0;
     /// Throws Error, as `allocate` does, where `bytes` are more than the memory limit allows.
     virtual void checkMemory(const std::string& where, std::uint64_t bytes) const = 0;
+    /// Bytes that a volume may take.
+    virtual std::uint64_t memoryLimit() const = 0;
+    /// Whether a volume that needs more may be given at reduced resolution.
+    virtual bool mayReduce() const = 0;
+    /// Copies bytes of `file` from `offset` on to `out` where that lies in the memory that `allocate` gave, faster than
+    /// reading them there; progress runs from `from` to `to`. False where it cannot: then read. Throws Error.
+    virtual bool copy(const InputFile& file, std::uint64_t offset, std::span<std::byte> out, double from,
+                      double to) = 0;
     /// Fraction of the reading done, 0…1.
     virtual void progress(double fraction) = 0;
     /// Something that was repaired, cut or left out; the user sees it.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <cmath>
-#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/eval/rounded.h"
 #include "core/eval/term_path.h"
+#include "core/eval/voxelise_chain.h"
 #include "core/fields/voxel_type.h"
 
 namespace voledit {
@@ -17,18 +17,6 @@ namespace {
 
 int channelsOf(VoxeliseWhat what) {
     return what == VoxeliseWhat::Rgba ? 4 : what == VoxeliseWhat::Displacement ? 3 : 1;
-}
-
-/// Nearest value of T, halves away from zero, clamped to what T holds; NaN is 0 in an integer.
-template <class T>
-T rounded(double value) {
-    if constexpr (std::is_floating_point_v<T>) {
-        return T(value);
-    } else {
-        if (value != value) return 0;
-        return T(std::clamp(std::round(value), double(std::numeric_limits<T>::min()),
-                            double(std::numeric_limits<T>::max())));
-    }
 }
 
 /// Values of grid samples, `channels` for each point, as doubles.
@@ -109,6 +97,9 @@ std::shared_ptr<const Volume> voxelise(const CompiledScene& scene, const Voxelis
     VolumeGrid grid = request.grid;
     grid.channels = channelsOf(request.what);
     const Evaluator evaluate(scene, request);
+    if (request.what == VoxeliseWhat::Scalar)
+        if (const auto chain = scalarChainOf(*scene.root); chain && mayVoxeliseChain(*chain, request))
+            return voxeliseChain(*chain, request, evaluate, progress);
     return withVoxelType(request.type, [&](auto t) { return evaluated<decltype(t)>(grid, evaluate, progress); });
 }
 

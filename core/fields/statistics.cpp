@@ -80,15 +80,25 @@ VolumeStatistics scannedStatistics(const T* voxels, std::size_t samples, std::si
     const auto forParts = [&](const auto& body) {
         parallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c)
-                for (std::size_t i = c * kChunk; i < std::min(samples, (c + 1) * kChunk); ++i)
-                    if (finite(voxels[i * stride])) body(parts[c], double(voxels[i * stride]));
+                body(parts[c], c * kChunk * stride, std::min(samples, (c + 1) * kChunk) * stride);
         });
     };
-    forParts([](Partial& part, double v) {
-        part.min = std::min(part.min, v);
-        part.max = std::max(part.max, v);
-        part.sum += v;
-        ++part.count;
+    forParts([&](Partial& part, std::size_t begin, std::size_t end) {
+        // In variables of its own, which need not go to memory for every value.
+        double min = kInfinity, max = -kInfinity, sum = 0;
+        std::uint64_t count = 0;
+        for (std::size_t i = begin; i < end; i += stride) {
+            if (!finite(voxels[i])) continue;
+            const auto v = double(voxels[i]);
+            min = v < min ? v : min;
+            max = v > max ? v : max;
+            sum += v;
+            ++count;
+        }
+        part.min = min;
+        part.max = max;
+        part.sum = sum;
+        part.count = count;
     });
     Partial all;
     for (const Partial& part : parts) {
@@ -98,7 +108,12 @@ VolumeStatistics scannedStatistics(const T* voxels, std::size_t samples, std::si
         all.count += part.count;
     }
     if (!all.count) return {0, 0, 0, std::vector<std::uint64_t>(kBins)};
-    forParts([&](Partial& part, double v) { ++part.histogram[binOf(v, all.min, all.max)]; });
+    forParts([&](Partial& part, std::size_t begin, std::size_t end) {
+        std::uint64_t* const histogram = part.histogram.data();
+        const double min = all.min, max = all.max;
+        for (std::size_t i = begin; i < end; i += stride)
+            if (finite(voxels[i])) ++histogram[binOf(double(voxels[i]), min, max)];
+    });
     for (const Partial& part : parts)
         for (int b = 0; b < kBins; ++b) all.histogram[std::size_t(b)] += part.histogram[std::size_t(b)];
     return {all.min, all.max, all.sum / double(all.count), std::move(all.histogram)};

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <type_traits>
 
 #include "core/base/parallel.h"
+#include "core/fields/row_ranges.h"
 #include "core/fields/voxel_type.h"
 
 namespace voledit {
@@ -12,24 +14,6 @@ namespace voledit {
 namespace {
 
 constexpr int kSide = ValueBricks::kSide;
-
-template <class T>
-struct Range {
-    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
-    bool any = false;
-
-    // Written so that a NaN changes nothing and the compiler needs no branch.
-    void take(T v) {
-        low = v < low ? v : low;
-        high = v > high ? v : high;
-        any = any || v == v;
-    }
-    void take(const Range& r) {
-        low = std::min(low, r.low);
-        high = std::max(high, r.high);
-        any = any || r.any;
-    }
-};
 
 float below(double v) {
     const float f = static_cast<float>(v);
@@ -45,38 +29,107 @@ Index2 samplesOf(int b, int margin, int n) {
     return {std::max(b * kSide - margin, 0), std::min((b + 1) * kSide + margin, n - 1) + 1};
 }
 
-/// Ranges along the rows of voxels of one slice z, joined into `rows` [y][brick].
 template <class T>
-void takeSlice(const VolumeGrid& grid, const T* slice, int margin, std::vector<Range<T>>& rows, int bricks) {
-    const auto channels = std::size_t(grid.channels);
-    for (int y = 0; y < grid.size.y; ++y) {
-        const T* row = slice + std::size_t(y) * std::size_t(grid.size.x) * channels;
-        for (int b = 0; b < bricks; ++b) {
-            Range<T> range = rows[std::size_t(y * bricks + b)];
-            const Index2 samples = samplesOf(b, margin, grid.size.x);
-            for (int i = samples[0]; i < samples[1]; ++i) range.take(row[std::size_t(i) * channels]);
-            rows[std::size_t(y * bricks + b)] = range;
+using Rows = std::vector<const T*>;
+
+/// A row's ranges, element by element, with room for what stands beyond its ends.
+template <class T>
+struct RowRange {
+    std::vector<T> low, high;
+    explicit RowRange(std::size_t length = 0) : low(length), high(length) {}
+};
+
+/// Ranges of one layer of bricks: rows of voxels are joined across the slices, then across the rows, then along.
+template <class T>
+class Layer {
+public:
+    Layer(const VolumeGrid& grid, const T* voxels, int margin, ValueBricks& result)
+        : grid_(grid), voxels_(voxels), margin_(margin), result_(result), length_(std::size_t(grid.size.x)) {
+        const auto window = std::size_t(kSide + 1 + 2 * margin);
+        const std::size_t padded = std::size_t(result.count.x * kSide) + window;
+        rows_.assign(window, RowRange<T>(length_));
+        joined_ = RowRange<T>(std::max(padded, length_ + std::size_t(margin)));
+        windows_ = RowRange<T>(std::size_t(result.count.x * kSide));
+    }
+
+    void fill(int k) {
+        int known = 0;  // rows below this one have been joined across the slices
+        for (int j = 0; j < result_.count.y; ++j) {
+            const Index2 rows = samplesOf(j, margin_, grid_.size.y);
+            for (known = std::max(known, rows[0]); known < rows[1]; ++known) joinSlices(known, k);
+            joinRows(rows);
+            joinAlong();
+            store(result_.indexOf({0, j, k}));
         }
     }
-}
 
-template <class T>
-void fillLayer(const VolumeGrid& grid, const T* voxels, int margin, int k, ValueBricks& result) {
-    std::vector<Range<T>> rows(std::size_t(grid.size.y) * std::size_t(result.count.x));
-    const std::size_t slice = std::size_t(grid.size.x) * std::size_t(grid.size.y) * std::size_t(grid.channels);
-    const Index2 slices = samplesOf(k, margin, grid.size.z);
-    for (int z = slices[0]; z < slices[1]; ++z)
-        takeSlice(grid, voxels + std::size_t(z) * slice, margin, rows, result.count.x);
-    for (int j = 0; j < result.count.y; ++j)
-        for (int i = 0; i < result.count.x; ++i) {
-            Range<T> range;
-            const Index2 samples = samplesOf(j, margin, grid.size.y);
-            for (int y = samples[0]; y < samples[1]; ++y) range.take(rows[std::size_t(y * result.count.x + i)]);
-            const std::size_t at = result.indexOf({i, j, k});
-            result.low[at] = range.any ? below(double(range.low)) : INFINITY;
-            result.high[at] = range.any ? above(double(range.high)) : -INFINITY;
+private:
+    RowRange<T>& rowRange(int y) { return rows_[std::size_t(y) % rows_.size()]; }
+
+    void joinSlices(int y, int k) {
+        const Index2 slices = samplesOf(k, margin_, grid_.size.z);
+        const auto channels = std::size_t(grid_.channels);
+        first_.clear();
+        if (channels > 1) picked_.resize(length_ * std::size_t(slices[1] - slices[0]));
+        for (int z = slices[0]; z < slices[1]; ++z) {
+            const T* row = voxels_ + (std::size_t(z) * std::size_t(grid_.size.y) + std::size_t(y)) * length_ * channels;
+            if (channels > 1) {
+                T* picked = picked_.data() + length_ * std::size_t(z - slices[0]);
+                for (std::size_t i = 0; i < length_; ++i) picked[i] = row[i * channels];
+                row = picked;
+            }
+            first_.push_back(row);
         }
-}
+        rangesOfRows<T>(first_, first_, length_, rowRange(y).low.data(), rowRange(y).high.data());
+    }
+
+    void joinRows(const Index2& rows) {
+        first_.clear();
+        second_.clear();
+        for (int y = rows[0]; y < rows[1]; ++y) {
+            first_.push_back(rowRange(y).low.data());
+            second_.push_back(rowRange(y).high.data());
+        }
+        const auto before = std::size_t(margin_);
+        rangesOfRows<T>(first_, second_, length_, joined_.low.data() + before, joined_.high.data() + before);
+        // Repeated end samples change no brick's range: they lie in that of each brick which reaches beyond the end.
+        for (auto* side : {&joined_.low, &joined_.high}) {
+            const auto start = side->begin() + std::ptrdiff_t(before), end = start + std::ptrdiff_t(length_);
+            std::fill(side->begin(), start, *start);
+            std::fill(end, side->end(), *(end - 1));
+        }
+    }
+
+    /// windows_[x] = the range of all samples within a window's length from x on.
+    void joinAlong() {
+        first_.clear();
+        second_.clear();
+        for (std::size_t shift = 0; shift < rows_.size(); ++shift) {
+            first_.push_back(joined_.low.data() + shift);
+            second_.push_back(joined_.high.data() + shift);
+        }
+        rangesOfRows<T>(first_, second_, windows_.low.size(), windows_.low.data(), windows_.high.data());
+    }
+
+    void store(std::size_t at) {
+        constexpr bool kExact = sizeof(T) <= 2 || std::is_same_v<T, float>;
+        for (std::size_t b = 0; b < std::size_t(result_.count.x); ++b) {
+            const T low = windows_.low[b * kSide], high = windows_.high[b * kSide];
+            result_.low[at + b] = kExact ? static_cast<float>(low) : below(double(low));
+            result_.high[at + b] = kExact ? static_cast<float>(high) : above(double(high));
+        }
+    }
+
+    const VolumeGrid& grid_;
+    const T* voxels_;  // of the channel
+    int margin_;
+    ValueBricks& result_;
+    std::size_t length_;
+    std::vector<RowRange<T>> rows_;  // of the last rows, by turns
+    RowRange<T> joined_, windows_;
+    std::vector<T> picked_;  // one channel of interleaved rows
+    Rows<T> first_, second_;
+};
 
 }  // namespace
 
@@ -88,8 +141,10 @@ ValueBricks makeValueBricks(const Volume& volume, int channel, int margin) {
     result.high.resize(result.low.size());
     withVoxelType(volume.type(), [&](auto t) {
         const auto* voxels = reinterpret_cast<const decltype(t)*>(volume.voxels().data()) + channel;
-        parallelFor(std::size_t(result.count.z), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) fillLayer(grid, voxels, margin, int(k), result);
+        // Neighbouring layers share a slice, which the second finds in the cache.
+        parallelFor(std::size_t(result.count.z), 4, [&](std::size_t begin, std::size_t end) {
+            Layer layer(grid, voxels, margin, result);
+            for (std::size_t k = begin; k < end; ++k) layer.fill(int(k));
         });
     });
     return result;

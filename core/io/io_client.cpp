@@ -20,6 +20,7 @@
 #include "core/io/output_folder.h"
 #include "core/io/parser_process.h"
 #include "core/io/protocol.h"
+#include "core/io/reduced_volumes.h"
 
 namespace voledit {
 
@@ -106,6 +107,18 @@ void setMemoryLimit(std::size_t bytes) {
 std::size_t memoryLimit() {
     const std::size_t limit = limitOfProcess;
     return limit > 0 ? limit : threeQuartersOfMemory();
+}
+
+namespace {
+std::atomic<bool> reducedOfProcess{false};
+}
+
+void setMayReduceVolumes(bool may) {
+    reducedOfProcess = may;
+}
+
+bool mayReduceVolumes() {
+    return reducedOfProcess;
 }
 
 struct IoClient::Process {
@@ -272,6 +285,7 @@ std::variant<VolumeFile, MeshFile> IoClient::readVolumeOrMesh(const fs::path& pa
     request.raw = options.raw;
     request.spacing = options.spacing;
     request.memoryLimit = options.memoryLimit > 0 ? options.memoryLimit : memoryLimit();
+    request.mayReduce = mayReduceVolumes();
     auto [reply, file] = process_->ask(std::move(request), -1, progress);
     if (reply.kind == IoReply::Kind::Mesh) {
         const auto [bytes, owner] = mapSealed(file.get(), std::max<std::size_t>(byteSize(reply.mesh), 1));

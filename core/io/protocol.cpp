@@ -106,6 +106,7 @@ void describeRequest(Archive& archive, Request& r) {
     archive(r.raw);
     archive(r.spacing);
     archive(r.memoryLimit);
+    archive(r.mayReduce);
     archive(r.grid);
     archive(r.type);
     archive(r.pictureSize);

@@ -25,6 +25,7 @@ struct IoRequest {
     std::optional<RawFormat> raw;
     std::optional<Vec3> spacing;
     std::uint64_t memoryLimit = 0;  // bytes, > 0
+    bool mayReduce = false;         // reduced_volumes.h
     VolumeGrid grid;                // writing a volume
     VoxelType type = VoxelType::UInt8;
     Index2 pictureSize{0};  // writing a picture

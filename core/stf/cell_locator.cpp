@@ -13,15 +13,14 @@ namespace {
 /// Grid entries for each cell that are worth their memory; cells that all lie over each other get a coarser grid.
 constexpr std::size_t kEntriesPerCell = 48;
 constexpr int kMaxResolution = 512;
+}  // namespace
 
-/// Weights of the nearby point that is in the tetrahedron; as they are where the point is.
-void clampWeights(std::array<double, 4>& weights) {
+void CellLocator::clampWeights(std::array<double, 4>& weights) {
     if (*std::min_element(weights.begin(), weights.end()) >= 0) return;
     double sum = 0;
     for (double& weight : weights) sum += weight = std::max(weight, 0.0);
     for (double& weight : weights) weight /= sum;
 }
-}  // namespace
 
 CellLocator::CellLocator(const MappedCells& cells) : perCell_(cells.tetrahedraPerCell()) {
     buildInverses(cells);

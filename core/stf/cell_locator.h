@@ -26,12 +26,24 @@ public:
     /// Whether p lies in tetrahedron `hint` or another of its cell, farther from its faces than tolerance.
     bool wellInside(const Vec3& p, std::uint32_t& hint, CellLocation& found) const;
 
-private:
+    /// q[i] = the source point of p[i] in the first tetrahedron that accepts it, kUndefined where none does: what
+    /// `first` finds, several times as fast for many points in any order. Runs in the calling thread; q may be p.
+    void firstOfMany(std::span<const Vec3> p, const MappedCells& cells, std::span<Vec3> q) const;
+    /// Whether `p` are so many, of so few grid cells, that this is so.
+    bool sortingPays(std::span<const Vec3> p) const;
+    /// Whether points mostly share the grid cell of the one before (a guess by some of them).
+    bool followClosely(std::span<const Vec3> p) const;
+
+    /// A tetrahedron as location needs it.
     struct Inverse {
         Vec3 origin;                      // its vertex 0
         Mat3 weightsFromEdge;             // p − origin to the weights of vertices 1, 2, 3
         std::array<double, 4> tolerance;  // how far below 0 each weight may be; negative: never accepts
     };
+
+private:
+    /// Weights of the nearby point that is in the tetrahedron; as they are where the point is.
+    static void clampWeights(std::array<double, 4>& weights);
     static std::array<double, 4> weights(const Inverse& tetrahedron, const Vec3& p);
     void buildInverses(const MappedCells& cells);
     void buildGrid(const MappedCells& cells);
@@ -41,6 +53,8 @@ private:
     /// Cells whose boxes meet the grid cell of p, ascending; empty outside.
     std::span<const std::uint32_t> candidates(const Vec3& p) const;
     std::span<const std::uint32_t> entriesOf(const Index3& gridCell) const;
+    /// Number of the grid cell of p, which lies in the bounds.
+    std::uint32_t gridCellOf(const Vec3& p) const;
     template <class Visit>
     void visit(const Vec3& p, const Visit& accepted) const;
 

@@ -23,6 +23,7 @@ const std::array<std::array<int, 4>, 6> kHexahedronTetrahedra{
 
 namespace {
 
+constexpr std::size_t kSorted = 1 << 17;             // points ordered together: some for each grid cell of 16³ cells
 constexpr std::size_t kMaxTetrahedra = 300'000'000;  // point location counts in 32 bits
 
 bool finite(const Vec3& v) {
@@ -251,11 +252,17 @@ bool MappedCells::anySourceBox(const Box3& box, const std::function<bool(const B
 
 void MappedCells::map(std::span<const Vec3> p, std::span<Vec3> q) const {
     assert(p.size() == q.size());
+    if (tetrahedra_.empty()) return std::fill(q.begin(), q.end(), kUndefined);
+    const CellLocator& by = locator();
+    const auto first = p.first(std::min(p.size(), kSorted));
+    if (by.sortingPays(first) && (mayOverlap() || !by.followClosely(first)))
+        return parallelFor(p.size(), kSorted, [&](std::size_t begin, std::size_t end) {
+            by.firstOfMany(p.subspan(begin, end - begin), *this, q.subspan(begin, end - begin));
+        });
     parallelFor(p.size(), 4096, [&](std::size_t begin, std::size_t end) {
         CellLocation at{};
         std::uint32_t hint = 0;
-        for (std::size_t i = begin; i < end; ++i)
-            q[i] = !tetrahedra_.empty() && locateNear(p[i], hint, at) ? sourceAt(at) : kUndefined;
+        for (std::size_t i = begin; i < end; ++i) q[i] = locateNear(p[i], hint, at) ? sourceAt(at) : kUndefined;
     });
 }
 

@@ -104,15 +104,13 @@ TEST(CommonFlags, MemoryLimitHoldsForEveryCommand) {
         write(folder / "big.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 256 256 256\nencoding: raw\n\n" +
                                        std::string(std::size_t(1) << 24, '\x01'));
     const std::string picture = (folder / "out.png").string(), grid = (folder / "out.nrrd").string();
-    for (const std::vector<std::string>& arguments :
-         std::vector<std::vector<std::string>>{{"info", volume},
-                                               {"sample", volume, "--at", "0,0,0"},
-                                               {"convert", volume, grid},
-                                               {"render", volume, "-o", picture, "--renderer", "rays"},
-                                               {"voxelize", volume, "-o", grid, "--size", "2x2x2"},
-                                               {"voxelize", smallVolume(folder), "-o", grid, "--like", volume},
-                                               {"voxelize", smallVolume(folder), "-o", grid, "--size", "900x900x900"},
-                                               {"edit", volume, "--headless", "--screenshot", picture}}) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"info", volume},
+             {"sample", volume, "--at", "0,0,0"},
+             {"convert", volume, grid},
+             {"voxelize", volume, "-o", grid, "--size", "2x2x2"},
+             {"voxelize", smallVolume(folder), "-o", grid, "--like", volume},
+             {"voxelize", smallVolume(folder), "-o", grid, "--size", "900x900x900"}}) {
         std::vector<std::string> limited = arguments;
         limited.insert(limited.end(), {"--memory-limit", "8M"});
         const auto result = run("voledit", limited);
@@ -120,6 +118,25 @@ TEST(CommonFlags, MemoryLimitHoldsForEveryCommand) {
         EXPECT_NE(result.err.find("--memory-limit"), std::string::npos) << result.err;
         EXPECT_FALSE(fs::exists(picture) || fs::exists(grid)) << testing::PrintToString(arguments);
     }
+}
+
+TEST(CommonFlags, BeyondTheMemoryLimitVolumesAreShownReduced) {
+    const auto folder = test::scratchFolder();
+    const std::string volume =
+        write(folder / "big.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 256 256 256\nencoding: raw\n\n" +
+                                       std::string(std::size_t(1) << 24, '\x01'));
+    const std::string picture = (folder / "out.png").string(), state = (folder / "state.json").string();
+    const auto rendered = run(
+        "voledit", {"render", volume, "-o", picture, "--renderer", "rays", "--size", "40x30", "--memory-limit", "8M"});
+    EXPECT_EQ(rendered.status, 0) << rendered.err;
+    EXPECT_NE(rendered.err.find("reduced resolution, 128x128x128"), std::string::npos) << rendered.err;
+    EXPECT_TRUE(fs::exists(picture));
+    const std::string events = write(folder / "events", "wait idle\nstate " + state + "\n");
+    const auto edited = run("voledit", {"edit", volume, "--headless", "--play", events, "--memory-limit", "8M"});
+    EXPECT_EQ(edited.status, 0) << edited.err;
+    std::ifstream file(state);
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NE(text.find("reduced resolution, 128x128x128"), std::string::npos) << text;
 }
 
 TEST(RawFiles, TakeTheirSpacingFromEitherFlag) {

@@ -49,6 +49,16 @@ TEST(ValueBricks, MayOverlapByAMargin) {
     expectRangesOfTheSamples<float>({5, 1, 12}, 2, 3);
 }
 
+TEST(ValueBricks, AreTheSameForRowsShorterAndLongerThanVectors) {
+    for (const int n : {1, 2, 7, 8, 16, 31, 33, 64, 65, 130}) {
+        expectRangesOfTheSamples<std::uint8_t>({n, 6, 5}, 1);
+        expectRangesOfTheSamples<std::uint16_t>({n, 5, 6}, 1, 2);
+        expectRangesOfTheSamples<float>({n, 9, 2}, 1, 1);
+    }
+    expectRangesOfTheSamples<std::uint32_t>({40, 3, 9}, 1, 1);
+    expectRangesOfTheSamples<std::int8_t>({70, 9, 9}, 3, 2);
+}
+
 TEST(ValueBricks, CountIsThatOfTheGapsBetweenSamples) {
     const auto countOf = [](Index3 size) {
         return Volume::fromValues({size, 1, Mat4(1.0)}, std::vector<float>(VolumeGrid{size, 1, Mat4(1.0)}.valueCount()))

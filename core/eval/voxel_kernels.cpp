@@ -1,0 +1,316 @@
+#include "core/eval/voxel_kernels.h"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/eval/voxel_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once for each instruction set
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace voledit::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = HWY_CAPPED(double, 8);
+using F = HWY_CAPPED(float, 16);
+using I = hn::RebindToSigned<F>;
+using DI = hn::Rebind<std::int32_t, D>;
+using Double = hn::Vec<D>;
+using Real = hn::Vec<F>;
+using Whole = hn::Vec<I>;
+
+constexpr double kFar = 1e9;  // beyond any row, within 32 bits
+
+// ---- Intervals ----------------------------------------------------------------------------------------------------
+
+struct Bounds {
+    Double low, high;
+};
+
+/// Cuts off what lies beyond a face: where rest + x · i is less than `least`.
+HWY_INLINE void cut(Double rest, double x, double least, Bounds& bounds) {
+    const Double missing = hn::Sub(hn::Set(D(), least), rest);
+    if (x == 0) {
+        bounds.low = hn::IfThenElse(hn::Gt(missing, hn::Zero(D())), hn::Set(D(), kFar), bounds.low);
+        return;
+    }
+    const Double at = hn::Mul(missing, hn::Set(D(), 1 / x));
+    if (x > 0)
+        bounds.low = hn::Max(bounds.low, at);
+    else
+        bounds.high = hn::Min(bounds.high, at);
+}
+
+HWY_INLINE void store(const Bounds& bounds, double last, std::int32_t* firsts, std::int32_t* lasts) {
+    const Double low = hn::Min(hn::Ceil(bounds.low), hn::Set(D(), kFar));
+    const Double high = hn::Max(hn::Floor(hn::Min(bounds.high, hn::Set(D(), last))), hn::Set(D(), -1));
+    hn::StoreU(hn::DemoteTo(DI(), low), DI(), firsts);
+    hn::StoreU(hn::DemoteTo(DI(), high), DI(), lasts);
+}
+
+void intervals(const HalfSpaces& piece, int j, int rows, int k, int length, RowIntervals& result) {
+    const auto lanes = static_cast<int>(hn::Lanes(D()));
+    for (int row = 0; row < rows; row += lanes) {
+        const Double at = hn::Iota(D(), j + row);
+        Bounds sure{hn::Zero(D()), hn::Set(D(), kFar)}, may = sure;
+        for (std::size_t f = 0; f < HalfSpaces::kMost; ++f) {
+            const Double rest =
+                hn::Add(hn::Set(D(), piece.c[f] + piece.z[f] * k), hn::Mul(hn::Set(D(), piece.y[f]), at));
+            cut(rest, piece.x[f], piece.guard[f], sure);
+            cut(rest, piece.x[f], -piece.guard[f], may);
+        }
+        store(sure, length - 1, &result.first[std::size_t(row)], &result.last[std::size_t(row)]);
+        store(may, length - 1, &result.mayFirst[std::size_t(row)], &result.mayLast[std::size_t(row)]);
+    }
+}
+
+// ---- Places -------------------------------------------------------------------------------------------------------
+
+void place(const VoxelSpan& span, const Index3& size, RowPlaces& places) {
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(D()));
+    const double one = 1 << places.bits;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const Double start = hn::Set(D(), span.start[a] * one + 0.5), step = hn::Set(D(), span.step[a] * one);
+        // A place on the last sample counts to the cell before it: neighbours of weight 0 may not exist.
+        const Double most = hn::Set(D(), (size[int(a)] - 1.0) * one - 1);
+        std::int32_t* to = places.at[a].data();
+        for (std::int32_t i = span.first; i <= span.last; i += lanes) {
+            const Double x = hn::Add(start, hn::Mul(step, hn::Iota(D(), i)));
+            // What is stored beyond the span is overwritten by the next one, or counts as nothing.
+            hn::StoreU(hn::DemoteTo(DI(), hn::Min(hn::Max(x, hn::Zero(D())), most)), DI(), to + i);
+        }
+    }
+    std::fill(places.state.begin() + span.first, places.state.begin() + span.last + 1, RowPlaces::Value);
+}
+
+// ---- Values -------------------------------------------------------------------------------------------------------
+
+HWY_INLINE Whole whole(std::int32_t n) {
+    return hn::Set(I(), n);
+}
+HWY_INLINE Real lerp(Real a, Real b, Real t) {
+    return hn::Add(a, hn::Mul(t, hn::Sub(b, a)));
+}
+
+/// Two neighbours along i.
+struct Pair {
+    Real first, second;
+};
+
+template <class T>
+HWY_INLINE Pair pairAt(const T* voxels, Whole index) {
+    constexpr int kBits = 8 * sizeof(T);
+    const auto* bytes = reinterpret_cast<const std::int32_t*>(voxels);
+    const Whole word = hn::GatherOffset(I(), bytes, sizeof(T) == 1 ? index : hn::ShiftLeft<1>(index));
+    if constexpr (std::is_signed_v<T>) {
+        return {hn::ConvertTo(F(), hn::ShiftRight<32 - kBits>(hn::ShiftLeft<32 - kBits>(word))),
+                hn::ConvertTo(F(), hn::ShiftRight<32 - kBits>(hn::ShiftLeft<32 - 2 * kBits>(word)))};
+    } else {
+        const hn::RebindToUnsigned<I> u;
+        const auto second = hn::BitCast(I(), hn::ShiftRight<kBits>(hn::BitCast(u, word)));
+        const Whole mask = whole((1 << kBits) - 1);
+        return {hn::ConvertTo(F(), hn::And(word, mask)), hn::ConvertTo(F(), hn::And(second, mask))};
+    }
+}
+
+/// Places of some voxels: sample below, and what lies beyond it.
+struct Cells {
+    Whole index, fraction[3];
+};
+
+/// The length of a fixed-point unit.
+HWY_INLINE float unitOf(int bits) {
+    return 1.0F / static_cast<float>(1 << bits);
+}
+
+/// How far the float value may be off: places are rounded to half a unit, the last one of an axis by one more, along
+/// three axes, which a tenth is added to; and each of three interpolations is rounded.
+HWY_INLINE Real doubt(Real range, Real largest, float unit) {
+    return hn::Add(hn::Mul(range, hn::Set(F(), 5 * unit)), hn::Mul(largest, hn::Set(F(), 5e-7F)));
+}
+
+/// Values between eight neighbours, and the range of these.
+struct Interpolated {
+    Real value, low, high;
+};
+
+template <class T>
+HWY_INLINE Interpolated interpolate(const VoxelRows<T>& rows, const T* voxels, const Cells& cells, float unit) {
+    const auto realOf = [&](Whole fraction)
+                            HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), fraction), hn::Set(F(), unit)); };
+    const Whole row = whole(rows.size.x), slice = whole(rows.size.x * rows.size.y);
+    const Real u = realOf(cells.fraction[0]), v = realOf(cells.fraction[1]), w = realOf(cells.fraction[2]);
+    const Whole above = hn::Add(cells.index, slice);
+    const Pair p[4] = {pairAt(voxels, cells.index), pairAt(voxels, hn::Add(cells.index, row)), pairAt(voxels, above),
+                       pairAt(voxels, hn::Add(above, row))};
+    const Real low = lerp(lerp(p[0].first, p[0].second, u), lerp(p[1].first, p[1].second, u), v);
+    const Real high = lerp(lerp(p[2].first, p[2].second, u), lerp(p[3].first, p[3].second, u), v);
+    Interpolated result{lerp(low, high, w), p[0].first, p[0].first};
+    if constexpr (sizeof(T) > 1)
+        for (const Pair& pair : p) {
+            result.low = hn::Min(result.low, hn::Min(pair.first, pair.second));
+            result.high = hn::Max(result.high, hn::Max(pair.first, pair.second));
+        }
+    return result;
+}
+
+/// Lanes whose places are so near a neighbouring cell that its values may count.
+HWY_INLINE hn::Mask<F> nearOtherCells(const Cells& cells, int bits) {
+    auto near = hn::FirstN(I(), 0);
+    for (const Whole& fraction : cells.fraction) {
+        const Whole shifted = hn::And(hn::Add(fraction, whole(3)), whole((1 << bits) - 1));
+        near = hn::Or(near, hn::Lt(shifted, whole(6)));
+    }
+    return hn::RebindMask(F(), near);
+}
+
+template <class T>
+HWY_INLINE Real doubtOf(const VoxelRows<T>& rows, const Cells& cells, const Interpolated& found, int bits) {
+    const Real all = hn::Set(F(), static_cast<float>(rows.range));
+    if constexpr (sizeof(T) == 1) return doubt(all, hn::Set(F(), 256.0F), unitOf(bits));
+    const Real largest = hn::Max(hn::Abs(found.low), hn::Abs(found.high));
+    return doubt(hn::IfThenElse(nearOtherCells(cells, bits), all, hn::Sub(found.high, found.low)),
+                 hn::Add(largest, hn::Set(F(), 1.0F)), unitOf(bits));
+}
+
+template <class T>
+class RowReader {
+public:
+    RowReader(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing)
+        : rows_(rows), places_(places), nothing_(nothing), firstSlice_(firstSlice) {
+        const std::size_t slice = std::size_t(rows.size.x) * std::size_t(rows.size.y);
+        voxels_ = rows.voxels + slice * std::size_t(firstSlice);
+        // A pair is read as four bytes: of the last three voxels of all, these reach beyond the end.
+        const std::size_t left = slice * std::size_t(rows.size.z - firstSlice);
+        const std::size_t reach = 4 / sizeof(T) + std::size_t(rows.size.x) + slice;
+        lastIndex_ = std::int32_t(std::min<std::size_t>(left > reach ? left - reach : 0, 0x7fffffff));
+    }
+
+    /// Values of the lanes from `at` on; true where one is in doubt.
+    HWY_INLINE bool read(std::size_t at, T* out) {
+        std::uint8_t* state = places_.state.data() + at;
+        const hn::Rebind<std::uint8_t, I> bytes;
+        const auto states = hn::PromoteTo(I(), hn::LoadU(bytes, state));
+        const auto wanted = hn::Eq(states, whole(RowPlaces::Value));
+        Whole result = whole(nothing_);
+        bool asks = false;
+        if (!hn::AllFalse(I(), wanted)) {
+            auto doubtful = hn::FirstN(I(), 0);
+            result = hn::IfThenElse(wanted, values(at, doubtful), result);
+            doubtful = hn::And(doubtful, wanted);
+            asks = !hn::AllFalse(I(), doubtful);
+            if (HWY_UNLIKELY(asks)) mark(doubtful, state);
+        }
+        hn::StoreU(hn::DemoteTo(hn::Rebind<T, I>(), result), hn::Rebind<T, I>(), out);
+        return asks;
+    }
+
+private:
+    HWY_INLINE Whole values(std::size_t at, hn::Mask<I>& doubtful) const {
+        Cells cells;
+        Whole below[3];
+        for (std::size_t a = 0; a < 3; ++a) {
+            const Whole place = hn::LoadU(I(), places_.at[a].data() + at);
+            below[a] = hn::ShiftRightSame(place, places_.bits);
+            cells.fraction[a] = hn::And(place, whole((1 << places_.bits) - 1));
+        }
+        // Lanes that are not wanted may lie below the first slice.
+        const Whole k = hn::Max(hn::Sub(below[2], whole(firstSlice_)), whole(0));
+        const Whole row = hn::Add(below[1], hn::Mul(k, whole(rows_.size.y)));
+        const Whole index = hn::Add(below[0], hn::Mul(row, whole(rows_.size.x)));
+        cells.index = hn::Min(index, whole(lastIndex_));
+        const Interpolated found = interpolate(rows_, voxels_, cells, unitOf(places_.bits));
+        const Real rounded = hn::Round(found.value);
+        const Real off = hn::Abs(hn::Sub(found.value, rounded));
+        const auto unsure = hn::Gt(hn::Add(off, doubtOf(rows_, cells, found, places_.bits)), hn::Set(F(), 0.5F));
+        doubtful = hn::Or(hn::RebindMask(I(), unsure), hn::Ne(index, cells.index));
+        return hn::NearestInt(rounded);
+    }
+
+    void mark(hn::Mask<I> lanes, std::uint8_t* state) const {
+        HWY_ALIGN std::int32_t set[16];
+        hn::Store(hn::VecFromMask(I(), lanes), I(), set);
+        for (std::size_t l = 0; l < hn::Lanes(I()); ++l)
+            if (set[l] != 0) state[l] = RowPlaces::Ask;
+    }
+
+    const VoxelRows<T>& rows_;
+    RowPlaces& places_;
+    T nothing_;
+    std::int32_t firstSlice_;
+    const T* voxels_;
+    std::int32_t lastIndex_;
+};
+
+template <class T>
+bool valuesAlong(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out) {
+    RowReader<T> reader(rows, firstSlice, places, nothing);
+    const std::size_t lanes = hn::Lanes(I());
+    bool asks = false;
+    std::size_t at = 0;
+    for (; at + lanes <= out.size(); at += lanes) asks |= reader.read(at, out.data() + at);
+    if (at < out.size()) {
+        T rest[16];
+        asks |= reader.read(at, rest);
+        std::copy_n(rest, out.size() - at, out.data() + at);
+    }
+    return asks;
+}
+
+#define VOLEDIT_VALUES(Name, T)                                                                                   \
+    bool values##Name(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out) { \
+        return valuesAlong(rows, firstSlice, places, nothing, out);                                               \
+    }
+VOLEDIT_VALUES(Int8, std::int8_t)
+VOLEDIT_VALUES(UInt8, std::uint8_t)
+VOLEDIT_VALUES(Int16, std::int16_t)
+VOLEDIT_VALUES(UInt16, std::uint16_t)
+#undef VOLEDIT_VALUES
+
+}  // namespace voledit::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace voledit {
+
+HWY_EXPORT(intervals);
+HWY_EXPORT(place);
+
+RowPlaces::RowPlaces(const Index3& size) {
+    constexpr int kMostBits = 23;  // of a float's mantissa
+    const int longest = std::max({size.x, size.y, size.z});
+    for (bits = kMostBits; (std::int64_t(longest) << bits) > 0x7fffffff; --bits) {
+    }
+}
+
+void RowPlaces::clear(std::size_t length) {
+    constexpr std::size_t kBeyond = 16;  // a vector may reach so far
+    for (auto& axis : at) axis.resize(length + kBeyond);
+    state.assign(length + kBeyond, Nothing);
+}
+
+void intervalsOfRows(const HalfSpaces& piece, int j, int rows, int k, int length, RowIntervals& result) {
+    HWY_DYNAMIC_DISPATCH(intervals)(piece, j, rows, k, length, result);
+}
+
+void placeSpan(const VoxelSpan& span, const Index3& size, RowPlaces& places) {
+    HWY_DYNAMIC_DISPATCH(place)(span, size, places);
+}
+
+#define VOLEDIT_VALUES(Name, T)                                                                                  \
+    HWY_EXPORT(values##Name);                                                                                    \
+    template <>                                                                                                  \
+    bool valuesOfRow(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out) { \
+        return HWY_DYNAMIC_DISPATCH(values##Name)(rows, firstSlice, places, nothing, out);                       \
+    }
+VOLEDIT_VALUES(Int8, std::int8_t)
+VOLEDIT_VALUES(UInt8, std::uint8_t)
+VOLEDIT_VALUES(Int16, std::int16_t)
+VOLEDIT_VALUES(UInt16, std::uint16_t)
+#undef VOLEDIT_VALUES
+
+}  // namespace voledit
+
+#endif
