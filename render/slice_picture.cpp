@@ -115,6 +115,10 @@ void SlicePicture::cut(int count) {
     });
 }
 
+int SlicePicture::mostAtOnce() const {
+    return 4 * threadCount();
+}
+
 void SlicePicture::draw(int count) {
     count = std::min(count, endBatch_ - nextBatch_);
     cut(count);

@@ -8,6 +8,8 @@
 #include "render/cell_slicer.h"
 #include "render/fold_target.h"
 #include "render/light_uniforms.h"
+#include "render/march_resources.h"
+#include "render/picture_work.h"
 #include "render/shader_library.h"
 #include "render/slice_content.h"
 #include "render/slice_geometry.h"
@@ -27,6 +29,7 @@ struct SliceWorkshop {
     ShaderLibrary shaders;
     SliceResources resources;  // of chains
     TermResources terms;       // of any other term
+    MarchResources march;      // of volumes that rays walk through
     TermMesh termMesh;
     SliceTarget target;
     FoldTarget fold;
@@ -38,20 +41,21 @@ struct SliceWorkshop {
 
 /// Slices of a scene from one camera, drawn in batches of kBatchSlices, front to back. Slices are counted from the
 /// nearest point of all cells, seen or not, so that neither culling nor the size of pieces changes the picture.
-class SlicePicture {
+class SlicePicture final : public PictureWork {
 public:
     static constexpr int kBatchSlices = 8;
 
     /// Prepares resources and clears the target. Throws Error for a term that slices cannot draw.
     SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, Index2 size, double stepScale);
 
-    int batchCount() const { return endBatch_ - firstBatch_; }
-    int batchesDone() const { return nextBatch_ - firstBatch_; }
-    bool done() const { return nextBatch_ >= endBatch_; }
-    /// Draws up to `count` batches; their polygons are made in parallel.
-    void draw(int count);
+    /// Pieces are batches.
+    int pieceCount() const override { return endBatch_ - firstBatch_; }
+    int piecesDone() const override { return nextBatch_ - firstBatch_; }
+    /// Polygons are made in parallel.
+    void draw(int count) override;
+    int mostAtOnce() const override;
 
-    const SliceStatistics& statistics() const { return statistics_; }
+    const SliceStatistics& statistics() const override { return statistics_; }
 
 private:
     /// The bricks or the cells of this picture.

@@ -36,10 +36,6 @@ std::optional<SlicePlan> planChain(const TermPtr& root) {
     return plan;
 }
 
-namespace {
-
-/// Whether cells' polygons may carry the map: each point has one pre-image at most, and the cells' source fills a box,
-/// so that a slab knows where it ends.
 bool canBeCut(const SpatialTransferFunction& map) {
     const MappedCells* cells = map.cells();
     if (!cells || map.outside() == Outside::Keep || cells->mayOverlap()) return false;
@@ -52,6 +48,8 @@ bool canBeCut(const SpatialTransferFunction& map) {
     const double whole = size.x * size.y * size.z;
     return whole > 0 && std::abs(volume - whole) <= 1e-6 * whole;
 }
+
+namespace {
 
 bool holdsSolids(const Term& root) {
     std::vector<const Term*> next{&root};

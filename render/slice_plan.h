@@ -46,6 +46,9 @@ struct TermPlan {
     bool solids = false;  // there are some in it: edges are hard
 };
 TermPlan planTerm(const TermPtr& root);
+/// Whether cells' polygons may carry the map: each point has one pre-image at most, and the cells' source fills a box,
+/// so that renderers know where it ends.
+bool canBeCut(const SpatialTransferFunction& map);
 /// Box of the source coordinates.
 Box3 sourceBox(const MappedCells& cells);
 

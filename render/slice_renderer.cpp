@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/base/parallel.h"
 #include "render/gl_state.h"
+#include "render/march_picture.h"
 #include "render/slice_picture.h"
 
 namespace voledit {
@@ -13,13 +13,26 @@ namespace {
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// The way of drawing that the scene's term allows: rays in fragments, or slices.
+std::unique_ptr<PictureWork> startPicture(SliceWorkshop& workshop, const CompiledScene& scene, Index2 size,
+                                          double stepScale, bool moving) {
+    if (workshop.options.march) {
+        auto plan = planMarch(scene);
+        const double step = scene.stepLength() * stepScale;
+        if (plan && workshop.march.prepare(*plan, {.cull = workshop.options.cull, .moving = moving, .step = step}))
+            return std::make_unique<MarchPicture>(workshop, scene, std::move(*plan), size, step);
+    }
+    return std::make_unique<SlicePicture>(workshop, scene, size, stepScale);
+}
+
 }  // namespace
 
 struct SliceRenderer::State {
     explicit State(const SliceOptions& options) : workshop(options) {}
 
     SliceWorkshop workshop;
-    std::unique_ptr<SlicePicture> picture;
+    std::unique_ptr<PictureWork> picture;
     Vec3f background{0};
     int batchesAtOnce = 1;
 };
@@ -28,19 +41,19 @@ SliceRenderer::SliceRenderer(const SliceOptions& options) : state_(std::make_uni
 
 SliceRenderer::~SliceRenderer() = default;
 
-void SliceRenderer::begin(const CompiledScene& scene, Index2 size, double stepScale) {
+void SliceRenderer::begin(const CompiledScene& scene, Index2 size, double stepScale, bool moving) {
     const GlStateGuard guard;
     state_->picture.reset();
     state_->background = scene.render.background;
-    state_->picture = std::make_unique<SlicePicture>(state_->workshop, scene, size, stepScale);
+    state_->picture = startPicture(state_->workshop, scene, size, stepScale, moving);
 }
 
 bool SliceRenderer::advance(double budgetMs) {
     if (!state_->picture || state_->picture->done()) return true;
-    SlicePicture& picture = *state_->picture;
+    PictureWork& picture = *state_->picture;
     const GlStateGuard guard;
     if (budgetMs <= 0) {
-        while (!picture.done()) picture.draw(4 * threadCount());
+        while (!picture.done()) picture.draw(picture.mostAtOnce());
         return true;
     }
     const auto start = std::chrono::steady_clock::now();
@@ -52,15 +65,16 @@ bool SliceRenderer::advance(double budgetMs) {
         glFinish();
         // Pieces of about a third of the budget keep the overshoot small.
         const double took = std::max(millisecondsSince(piece), 0.1);
-        state_->batchesAtOnce = std::clamp(int(count * (budgetMs / 3) / took), 1, 4 * threadCount());
+        state_->batchesAtOnce =
+            int(std::clamp(count * (budgetMs / 3) / took, 1.0, double(std::min(picture.mostAtOnce(), 4096))));
     } while (!picture.done() && millisecondsSince(start) < budgetMs);
     return picture.done();
 }
 
 double SliceRenderer::progress() const {
-    const SlicePicture* picture = state_->picture.get();
-    if (!picture || picture->batchCount() == 0) return 1;
-    return double(picture->batchesDone()) / picture->batchCount();
+    const PictureWork* picture = state_->picture.get();
+    if (!picture || picture->pieceCount() == 0) return 1;
+    return double(picture->piecesDone()) / picture->pieceCount();
 }
 
 unsigned SliceRenderer::texture() const {

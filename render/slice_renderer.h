@@ -20,6 +20,7 @@ struct SliceStatistics {
 
 /// How slices are made; the defaults are what pictures are drawn with, the rest is for tests and measurements.
 struct SliceOptions {
+    bool march = true;   // walk rays within fragments where a term lets them (march_plan.h), instead of cutting slices
     bool cull = true;    // leave out cells that cannot be seen
     bool mask = true;    // stop at pixels that are nearly opaque
     int segments = 2;    // steps that one slice stands for: a slab is so many steps thick
@@ -39,7 +40,8 @@ public:
 
     /// Starts a picture of `size` pixels with steps of `scene.stepLength() * stepScale`. What was unfinished is
     /// dropped. Throws Error for a term that slices cannot draw, saying to use rays.
-    void begin(const CompiledScene& scene, Index2 size, double stepScale = 1);
+    /// @param moving  it is seen for a moment: maps may be baked coarsely, whatever their error
+    void begin(const CompiledScene& scene, Index2 size, double stepScale = 1, bool moving = false);
     /// Draws slices, front to back, for about `budgetMs` (≤ 0: all). True when the picture is complete.
     bool advance(double budgetMs);
     /// 0…1 of the slices of this picture are drawn.

@@ -32,27 +32,29 @@ std::vector<char> completeCells(const MappedCells& cells) {
 }  // namespace
 
 void SliceResources::prepare(const SlicePlan& plan, const CullRequest& cull) {
-    prepareVolume(*plan.volume);
+    prepareTexture(*plan.volume);
+    prepareBricks(*plan.volume);
     prepareTable(plan.volume->appearance);
     if (!visibility_) {
-        visibility_.emplace(volume_->bricks, table_->table);
+        visibility_.emplace(*volume_->bricks, table_->table);
         mesh_.reset();
     }
     prepareLocated(plan);
     prepareMesh(plan, cull);
 }
 
-void SliceResources::prepareVolume(const VolumeTerm& term) {
+void SliceResources::prepareTexture(const VolumeTerm& term) {
     if (volume_ && volume_->source.lock() == term.volume && volume_->channel == term.channel) return;
     // The old one goes first, so that two never need to fit.
     volume_.reset();
     visibility_.reset();
-    volume_.emplace(Volumes{term.volume,
-                            term.channel,
-                            makeVolumeTexture(*term.volume, term.channel),
-                            makeValueBricks(*term.volume, term.channel, kVisibilityMargin),
-                            {}});
-    volume_->range = finiteRange(volume_->bricks);
+    volume_.emplace(Volumes{term.volume, term.channel, makeVolumeTexture(*term.volume, term.channel)});
+}
+
+void SliceResources::prepareBricks(const VolumeTerm& term) {
+    if (volume_->bricks) return;
+    volume_->bricks = makeValueBricks(*term.volume, term.channel, kVisibilityMargin);
+    volume_->range = finiteRange(*volume_->bricks);
 }
 
 void SliceResources::prepareTable(const TransferFunction& function) {
@@ -133,8 +135,12 @@ void SliceResources::prepareMesh(const SlicePlan& plan, const CullRequest& cull)
     mesh_ = std::move(made);
 }
 
-void SliceResources::bind() const {
+void SliceResources::bindVolume() const {
     glBindTextureUnit(0, volume_->texture.texture.name());
+}
+
+void SliceResources::bind() const {
+    bindVolume();
     glBindTextureUnit(1, table_->thickness.name());
     glBindTextureUnit(2, table_->color.name());
     glBindTextureUnit(3, table_->gradient.name());

@@ -28,6 +28,8 @@ struct CullRequest {
 class SliceResources {
 public:
     void prepare(const SlicePlan& plan, const CullRequest& cull);
+    /// The volume's texture alone, for those that need no more: `volume()`, `bindVolume()`.
+    void prepareTexture(const VolumeTerm& term);
 
     const VolumeTexture& volume() const { return volume_->texture; }
     const TransferTable& table() const { return table_->table; }
@@ -45,14 +47,16 @@ public:
     /// Binds the volume and the tables to texture units 0…3: volume, thickness, colour, gradient factor; located maps
     /// to the storage buffers of shaders/common/located.glsl.
     void bind() const;
+    /// The volume alone, to unit 0.
+    void bindVolume() const;
 
 private:
     struct Volumes {
         std::weak_ptr<const Volume> source;
         int channel;
         VolumeTexture texture;
-        ValueBricks bricks;
-        std::pair<double, double> range;
+        std::optional<ValueBricks> bricks = {};  // and the range of their values; both of slices only
+        std::pair<double, double> range = {};
     };
     struct Tables {
         TransferFunction source;
@@ -75,7 +79,7 @@ private:
         std::optional<CellMesh> uncovered, alone;
     };
 
-    void prepareVolume(const VolumeTerm& term);
+    void prepareBricks(const VolumeTerm& term);
     void prepareTable(const TransferFunction& function);
     void prepareLocated(const SlicePlan& plan);
     bool holdsLocated(const SlicePlan& plan) const;

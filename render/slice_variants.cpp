@@ -39,6 +39,14 @@ ProgramVariant foldCompositeVariant(Combine combine) {
     return program;
 }
 
+ProgramVariant marchVariant(const MarchVariant& variant) {
+    ProgramVariant program{"fullscreen.vert", "march.frag", {"STEPS=" + std::to_string(variant.steps)}};
+    if (variant.baked) program.defines.push_back("BAKED");
+    if (variant.shaded) program.defines.push_back("SHADED");
+    if (variant.realVoxels) program.defines.push_back("REAL_VOXELS");
+    return program;
+}
+
 ProgramVariant termVariant(const TermProgram& program, bool mapped, bool shaded) {
     ProgramVariant variant{"slice.vert", "term.frag", program.defines(), program.text};
     if (mapped) variant.defines.push_back("MAPPED");
@@ -72,6 +80,13 @@ std::vector<ProgramVariant> allPrograms() {
     }
     const std::size_t plain = programs.size();
     for (std::size_t n = 0; n < plain; ++n) programs.push_back(withSurroundings(programs[n]));
+    for (const bool shaded : {false, true})
+        for (const bool realVoxels : {false, true}) {
+            programs.push_back(marchVariant({.shaded = shaded, .realVoxels = realVoxels}));
+            for (const int steps : {1, 2, 4})
+                programs.push_back(
+                    marchVariant({.baked = true, .shaded = shaded, .realVoxels = realVoxels, .steps = steps}));
+        }
     std::sort(programs.begin(), programs.end());
     programs.erase(std::unique(programs.begin(), programs.end()), programs.end());
     return programs;

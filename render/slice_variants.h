@@ -24,6 +24,15 @@ ProgramVariant sliceVariant(const SliceVariant& variant);
 ProgramVariant foldVariant(const SliceVariant& variant, Combine combine, int pass, bool cover);
 ProgramVariant foldCompositeVariant(Combine combine);
 
+/// The program whose fragments walk rays through one volume.
+struct MarchVariant {
+    bool baked = false;  // the volume lies under a map
+    bool shaded = true;
+    bool realVoxels = false;  // voxels may be NaN
+    int steps = 4;            // of a block
+};
+ProgramVariant marchVariant(const MarchVariant& variant);
+
 /// The program of a term.
 ProgramVariant termVariant(const TermProgram& program, bool mapped, bool shaded);
 

@@ -1,0 +1,61 @@
+#pragma once
+// A backward map tabulated at the nodes of a regular grid over deformed space, for renderers that look it up by linear
+// interpolation.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/base/box3.h"
+#include "core/stf/mapped_cells.h"
+
+namespace voledit {
+
+/// A grid of nodes in the world, cubic cells between them.
+struct BakeGrid {
+    Index3 nodes{2};
+    Vec3 origin{0};   // world position of node (0, 0, 0)
+    double cell = 1;  // world units between nodes
+
+    std::size_t indexOf(Index3 n) const {
+        return std::size_t(n.x) + std::size_t(nodes.x) * (std::size_t(n.y) + std::size_t(nodes.y) * std::size_t(n.z));
+    }
+    std::size_t nodeCount() const { return indexOf({0, 0, nodes.z}); }
+    Mat4 gridFromWorld() const;
+};
+
+/// Nodes over `bounds` and kBakeBorder cells around it, `most` along the longest axis.
+constexpr int kBakeBorder = 2;
+BakeGrid bakeGrid(const Box3& bounds, int most);
+
+/// At each node the place in the map's result (index coordinates of a volume, say), and 1 where it is known, else 0.
+/// Nodes up to kBakeBorder cells beyond where the map is defined hold its linear continuation, so that cells at its
+/// faces can be interpolated; what lies beyond is for the user to cut off.
+struct BakedMap {
+    BakeGrid grid;
+    std::vector<Vec4f> node;  // i fastest
+
+    /// d place / d world about a node, by differences to its neighbours that are known; 0 along axes without any.
+    Mat3 jacobianAt(Index3 n) const;
+    /// Linear between the nodes, at world point p; false where one of the eight is not known.
+    bool at(const Vec3& p, Vec3& place) const;
+};
+
+/// Mapped cells as a baked map has them.
+struct BakedCells {
+    const MappedCells* cells;   // that do not overlap
+    Mat4 worldFromDeformed{1};  // affine maps outside the cells
+    Mat4 placeFromSource{1};    // and inside them
+    /// Whether the tetrahedra whose places lie in a box are wanted; nodes in others stay unknown. Called from many
+    /// threads.
+    std::function<bool(const Box3&)> wanted;
+};
+
+/// Exact at every node within a wanted tetrahedron. In parallel; the same for any number of threads.
+BakedMap bake(const BakedCells& cells, const BakeGrid& grid);
+
+/// The largest distance, in places, of what linear interpolation between the nodes gives from the exact map, at centres
+/// of cells (every fourth layer of them) for which `seen` says 1: one flag for each cell of the grid, i fastest.
+double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector<std::uint8_t>& seen);
+
+}  // namespace voledit

@@ -1,0 +1,27 @@
+#pragma once
+// Terms that fragments walk through ray by ray, instead of being cut into slices.
+
+#include <memory>
+#include <optional>
+
+#include "core/objects/term.h"
+#include "core/scene/compile.h"
+
+namespace voledit {
+
+/// One volume, moved affinely; or under one map of cells, which is baked (core/eval/baked_map.h), and affine ones about
+/// it.
+struct MarchPlan {
+    TermPtr root;  // keeps all below alive
+    const VolumeTerm* volume = nullptr;
+    const TransferTerm* forward = nullptr;  // null: there is none
+    Mat4 worldFromDeformed{1};              // from the cells' deformed positions to the world
+    Mat4 indexFromSource{1};                // from the cells' source (the world, without them) to indices
+    Box3 clip;                              // index coordinates outside of which nothing is seen
+};
+
+/// Nullopt where slices have to do it: for other terms, opacity by steepness, interpolation that is not linear, and
+/// light that is taken slice by slice.
+std::optional<MarchPlan> planMarch(const CompiledScene& scene);
+
+}  // namespace voledit

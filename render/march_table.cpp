@@ -1,0 +1,93 @@
+#include "render/march_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voledit {
+
+namespace {
+
+/// 64 KiB of depths: more would leave the processor's inner caches.
+constexpr int kMostBins = 4096;
+constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
+
+/// Where the table has something to tell: the data's values, but not far beyond the transfer function's corners, where
+/// nothing changes any more.
+Interval tabulated(const TransferFunction& look, const Interval& data) {
+    double first = kInfinity, last = -kInfinity;
+    const auto take = [&](double value) {
+        first = std::min(first, value);
+        last = std::max(last, value);
+    };
+    for (const Vec2& point : look.opacity.points) take(point.x);
+    for (const ColorTable::Point& point : look.color.points) take(point.value);
+    Interval range = data;
+    if (first <= last) {
+        // A little wider, so that a step at an end stays one.
+        const double beyond = std::max((last - first) / 256, 1e-6 * std::max(std::abs(first), std::abs(last)));
+        range = {std::clamp(first - beyond, data.low, data.high), std::clamp(last + beyond, data.low, data.high)};
+    }
+    if (!(range.low < range.high)) {
+        const double at = std::isfinite(range.low) ? range.low : std::isfinite(range.high) ? range.high : 0;
+        range = {at, at + std::max(1.0, 1e-6 * std::abs(at))};
+    }
+    return range;
+}
+
+void setBins(MarchTable& table, Interval range, bool whole) {
+    // Whole values lie on bins, where the corners of most transfer functions lie, too.
+    if (whole && range.high - range.low + 2 < kMostBins) range = {std::floor(range.low), std::ceil(range.high)};
+    const double width = range.high - range.low;
+    const bool onBins = whole && width < kMostBins && double(float(range.low)) == range.low;
+    table.low = float(range.low);
+    table.scale = float(onBins ? std::floor((kMostBins - 1) / width) : (kMostBins - 1) / width);
+    table.bins = std::clamp(int(std::ceil(width * double(table.scale))) + 1, 2, kMostBins);
+}
+
+}  // namespace
+
+bool MarchTable::mayAbsorb(const Interval& values) const {
+    if (!(values.low <= values.high)) return false;
+    const double slack = 0.01 + 4e-7 * double(scale) * std::max(std::abs(values.low), std::abs(values.high));
+    const auto bin = [&](double position) { return std::size_t(std::clamp(position, 0.0, double(bins - 1))); };
+    const std::size_t first = bin((values.low - double(low)) * double(scale) + 0.5 - slack);
+    const std::size_t last = bin((values.high - double(low)) * double(scale) + 0.5 + slack);
+    // A value that does not change has the extinction of its bin alone.
+    return absorbingBefore_[last + 1] > absorbingBefore_[first];
+}
+
+MarchTable makeMarchTable(const TransferFunction& look, const Interval& data, bool whole) {
+    MarchTable table;
+    setBins(table, tabulated(look, data), whole);
+    std::vector<std::array<float, 4>> plain;
+    double depth = 0, before = 0;
+    Vec3 glow(0), glowBefore(0);
+    table.absorbingBefore_.assign(1, 0);
+    for (int n = 0; n < table.bins; ++n) {
+        const double value = double(table.low) + n / double(table.scale);
+        const double opacity = std::clamp(look.opacity(value), 0.0, kLargestOpacity);
+        const double extinction = opacity > 0 ? -std::log1p(-opacity) : 0;
+        const Vec3 color = look.color(value), shine = extinction * color;
+        if (n > 0) {
+            depth += 0.5 * (before + extinction);
+            glow += 0.5 * (glowBefore + shine);
+        }
+        before = extinction;
+        glowBefore = shine;
+        const auto high = float(depth);
+        table.depth.push_back({high, float(depth - double(high)), float(extinction), 0});
+        table.color.push_back({float(glow.x), float(glow.y), float(glow.z), 0});
+        plain.push_back({float(color.x), float(color.y), float(color.z), 0});
+        table.absorbingBefore_.push_back(table.absorbingBefore_.back() + (extinction > 0));
+    }
+    table.next.resize(std::size_t(table.bins));
+    float next = float(table.bins);
+    for (auto n = std::size_t(table.bins); n-- > 0;) {
+        if (table.depth[n][2] > 0) next = float(n);
+        table.next[n] = next;
+    }
+    table.color.insert(table.color.end(), plain.begin(), plain.end());
+    return table;
+}
+
+}  // namespace voledit
