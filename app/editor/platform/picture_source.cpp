@@ -9,11 +9,11 @@ namespace {
 class SliceSource final : public PictureSource {
 public:
     void begin(const CompiledScene& scene, Index2 size, const PictureEffort& effort) override {
-        renderer_.begin(scene, size, effort.step);
+        renderer_.begin(scene, size, effort.step, effort.moving);
     }
     bool advance(double budgetMs) override { return renderer_.advance(budgetMs); }
     double progress() const override { return renderer_.progress(); }
-    bool movingDiffers() const override { return false; }
+    bool movingDiffers() const override { return true; }
     SourceTexture texture() override { return {.name = renderer_.texture(), .flipped = false, .opaque = false}; }
     const Picture& picture() override { return picture_ = renderer_.readBack(); }
 
