@@ -386,7 +386,7 @@ TEST(SceneSchema, MessagesAreLocalAndSuggestNames) {
         {withMember("camera", R"({"eye": [0, 1]})"), "/camera/eye", "found a list of 2, expected a vector", ""},
         {withMember("camera", R"({"fovY": 180})"), "/camera/fovY", "below 180 degrees", ""},
         {withMember("camera", R"({"eye": {"keys": [[0, [1, 2]]]}})"), "/camera/eye/keys/0/1", "expected a vector", ""},
-        {withMember("render", R"({"light": "sun"})"), "/render/light", "expected \"headlight\"", ""},
+        {withMember("render", R"({"light": "sun"})"), "/render/light", "expected one of \"headlight\"", ""},
         {withMember("render", R"({"shading": 1})"), "/render/shading", "expected true or false", ""},
         {withMember("opacityDistance", R"({"keys": [[0, 1], [1, 0]]})"), "/opacityDistance/keys/1/1",
          "expected a number above 0", ""},
