@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/base/parallel.h"
 
@@ -27,39 +28,37 @@ Index2 within(double start, double step, double low, double high, Index2 range) 
             int(std::clamp(std::floor(to), double(range[0]) - 1, double(range[1])))};
 }
 
-/// Voxels of a span whose samples lie within `reach` of a volume's.
-Index2 near(const VoxelSpan& span, const Index3& samples, double reach) {
-    Index2 range(span.first, span.last);
-    for (std::size_t a = 0; a < 3 && range[0] <= range[1]; ++a)
-        range = within(span.start[a], span.step[a], -reach, samples[int(a)] - 1 + reach, range);
-    return range;
-}
-
-bool holds(const VoxelSpan& span, const Index3& samples) {
-    for (std::size_t a = 0; a < 3; ++a)
-        for (const int i : {span.first, span.last}) {
-            const double at = span.start[a] + i * span.step[a];
-            if (!(at >= -kInside && at <= samples[int(a)] - 1 + kInside)) return false;
-        }
-    return true;
-}
-
 }  // namespace
 
 RowBlock::RowBlock(const Index3& grid, const Index3& samples)
-    : grid_(grid), samples_(samples), row_(kSide * kSide), spanAt_(row_.size() * std::size_t(grid.x)) {}
+    : grid_(grid),
+      samples_(samples),
+      row_(kSide * kSide),
+      unit_(1.0 / (1 << RowPlaces(samples).bits)),
+      spanAt_(row_.size() * std::size_t(grid.x)) {}
+
+void RowBlock::setPlaces(const SamplePlaces& places) {
+    SamplePlaces inUnits = places;
+    for (auto* numbers : {&inUnits.start, &inUnits.alongI, &inUnits.alongJ, &inUnits.alongK})
+        for (double& number : *numbers) number /= unit_;
+    // Steps that would not fit are those of single voxels.
+    for (std::size_t a = 0; a < 3; ++a)
+        inUnits.step[a] = std::int32_t(std::round(std::clamp(inUnits.alongI[a], -2e9, 2e9)));
+    current_ = std::uint32_t(places_.size());
+    places_.push_back(inUnits);
+}
 
 void RowBlock::begin(int j, int k) {
     j_ = j;
     k_ = k;
     rows_ = std::min(kSide, grid_.y - j);
     slices_ = std::min(kSide, grid_.z - k);
+    places_.clear();
     spans_.clear();
     for (Row& row : row_) {
         row.spans = 0;
         row.asks.clear();
     }
-    std::fill(spanAt_.begin(), spanAt_.end(), 0);
 }
 
 void RowBlock::ask(int j, int k, int first, int last) {
@@ -67,58 +66,71 @@ void RowBlock::ask(int j, int k, int first, int last) {
     for (int i = first; i <= last; ++i) asks.push_back(i);
 }
 
-void RowBlock::add(int j, int k, VoxelSpan span) {
-    if (!holds(span, samples_)) {
-        const Index2 sure = near(span, samples_, kInside), may = near(span, samples_, kOutside);
-        if (sure[0] > sure[1]) return ask(j, k, may[0], may[1]);
-        ask(j, k, may[0], sure[0] - 1);
-        ask(j, k, sure[1] + 1, may[1]);
-        span.first = sure[0];
-        span.last = sure[1];
-    }
-    const std::size_t row = numberOf(j, k);
-    spans_.push_back(span);
-    spanAt_[row * std::size_t(grid_.x) + std::size_t(span.first)] = std::uint32_t(spans_.size());
-    ++row_[row].spans;
+namespace {
+
+/// Where voxel 0 of row (j, k) would have its sample, along axis a, in voxels.
+double startOf(const SamplePlaces& p, std::size_t a, int j, int k, double unit) {
+    return (p.start[a] + p.alongJ[a] * j + p.alongK[a] * k) * unit;
 }
 
-bool RowBlock::place(int j, int k, RowPlaces& places, int& slice) {
-    const Row& row = row_[numberOf(j, k)];
-    places.clear(std::size_t(grid_.x));
-    const std::uint32_t* at = spanAt_.data() + numberOf(j, k) * std::size_t(grid_.x);
-    double lowest = samples_.z - 2;
-    for (int i = 0, left = row.spans; i < grid_.x && left > 0;) {
-        if (at[i] == 0) {
-            ++i;
-            continue;
+}  // namespace
+
+bool RowBlock::holds(int j, int k, const VoxelSpan& span) const {
+    const SamplePlaces& p = places_[span.places];
+    for (std::size_t a = 0; a < 3; ++a)
+        for (const int i : {span.first, span.last}) {
+            const double at = startOf(p, a, j, k, unit_) + i * p.alongI[a] * unit_;
+            if (!(at >= -kInside && at <= samples_[int(a)] - 1 + kInside)) return false;
         }
-        const VoxelSpan& span = spans_[at[i] - 1];
-        placeSpan(span, samples_, places);
-        lowest =
-            std::min({lowest, span.start[2] + span.first * span.step[2], span.start[2] + span.last * span.step[2]});
-        i = span.last + 1;
-        --left;
+    return true;
+}
+
+void RowBlock::addPart(int j, int k, VoxelSpan span) {
+    const SamplePlaces& p = places_[span.places];
+    Index2 sure(span.first, span.last), may = sure;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double start = startOf(p, a, j, k, unit_), step = p.alongI[a] * unit_, last = samples_[int(a)] - 1;
+        if (sure[0] <= sure[1]) sure = within(start, step, -kInside, last + kInside, sure);
+        if (may[0] <= may[1]) may = within(start, step, -kOutside, last + kOutside, may);
     }
-    slice = std::max(int(lowest - 1e-3), 0);
+    if (sure[0] > sure[1]) return ask(j, k, may[0], may[1]);
+    ask(j, k, may[0], sure[0] - 1);
+    ask(j, k, sure[1] + 1, may[1]);
+    addInside(j, k, {span.places, sure[0], sure[1]});
+}
+
+bool RowBlock::place(int j, int k, RowPlaces& places) {
+    const Row& row = row_[numberOf(j, k)];
+    if (row.spans == 0 && row.asks.empty()) return false;
+    places.clear(std::size_t(grid_.x));
+    std::uint32_t* at = spanAt_.data() + numberOf(j, k) * std::size_t(grid_.x);
+    ofRow_.clear();
+    for (int i = 0; i < grid_.x; ++i) {
+        if (at[i] == 0) continue;
+        ofRow_.push_back(spans_[std::exchange(at[i], 0) - 1]);
+        i = ofRow_.back().last;  // spans do not overlap, as their cells do not
+    }
+    placeSpans(ofRow_, places_, j, k, samples_, places);
     for (const std::int32_t i : row.asks) places.state[std::size_t(i)] = RowPlaces::Ask;
-    return row.spans > 0 || !row.asks.empty();
+    return true;
 }
 
 // ---- Tetrahedra ---------------------------------------------------------------------------------------------------
 
 /// A tetrahedron over the grid.
 struct CellRows::Piece {
-    Index3 first, last;  // voxels that it may hold
+    Index3 first, end;  // voxels of the block that it may hold
     bool thin;
+    bool inside;  // all of its samples lie in the volume
     HalfSpaces faces;
-    Vec3 source;                 // where the voxel (0, 0, 0) would have its sample
-    std::array<Vec3, 3> change;  // of that along i, j, k
+    SamplePlaces places;
 };
 
 CellRows::CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const Mat4& indexFromSource,
-                   const Index3& grid)
+                   const Index3& grid, const Index3& samples)
     : cells_(cells),
       grid_(grid),
+      lastSample_(samples - 1),
       place_(cells.deformed().size()),
       source_(place_.size()),
       blocksAlong_(std::size_t((grid.y + RowBlock::kSide - 1) / RowBlock::kSide)) {
@@ -151,18 +163,33 @@ CellRows::CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const
     forEntries([&](std::uint32_t c, std::size_t block) { entries_[next[block]++] = c; });
 }
 
-/// False where the tetrahedron is degenerate or holds no voxel.
-bool CellRows::pieceOf(std::uint32_t n, Piece& piece) const {
+/// False where the tetrahedron is degenerate or holds no voxel of the block.
+bool CellRows::boxOf(std::uint32_t n, const RowBlock& block, Piece& piece) const {
     if (cells_.determinants()[n] == 0) return false;
     const auto& t = cells_.tetrahedra()[n];
-    const Vec3& origin = place_[t[0]];
-    Box3 box;
-    for (const std::uint32_t v : t) box = join(box, place_[v]);
-    for (int a = 0; a < 3; ++a) {
-        piece.first[a] = int(std::clamp(std::ceil(box.min[a] - 0.01), 0.0, double(grid_[a])));
-        piece.last[a] = int(std::clamp(std::floor(box.max[a] + 0.01), -1.0, double(grid_[a] - 1)));
-        if (piece.first[a] > piece.last[a]) return false;
+    Vec3 low = place_[t[0]], high = low, lowSource = source_[t[0]], highSource = lowSource;
+    for (std::size_t v = 1; v < 4; ++v) {
+        low = glm::min(low, place_[t[v]]);
+        high = glm::max(high, place_[t[v]]);
+        lowSource = glm::min(lowSource, source_[t[v]]);
+        highSource = glm::max(highSource, source_[t[v]]);
     }
+    const Vec3 from(0, block.firstRow(), block.firstSlice());
+    const Vec3 to(grid_.x, block.firstRow() + block.rows(), block.firstSlice() + block.slices());
+    piece.inside = true;
+    for (int a = 0; a < 3; ++a) {
+        piece.first[a] = int(std::clamp(std::ceil(low[a] - 0.01), from[a], to[a]));
+        piece.end[a] = int(std::clamp(std::floor(high[a] + 0.01) + 1, from[a], to[a]));
+        if (piece.first[a] >= piece.end[a]) return false;
+        piece.inside =
+            piece.inside && lowSource[a] >= -0.5 * kInside && highSource[a] <= lastSample_[a] + 0.5 * kInside;
+    }
+    return true;
+}
+
+void CellRows::facesOf(std::uint32_t n, Piece& piece) const {
+    const auto& t = cells_.tetrahedra()[n];
+    const Vec3& origin = place_[t[0]];
     const Vec3 e1 = place_[t[1]] - origin, e2 = place_[t[2]] - origin, e3 = place_[t[3]] - origin;
     const double volume = glm::dot(e1, glm::cross(e2, e3));
     // Gradients of the weights of vertices 0 … 3; their lengths are 1 / the heights.
@@ -170,7 +197,7 @@ bool CellRows::pieceOf(std::uint32_t n, Piece& piece) const {
                                  glm::cross(e1, e2) / volume};
     gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
     piece.thin = false;
-    piece.change = {Vec3(0), Vec3(0), Vec3(0)};
+    std::array<Vec3, 3> change{Vec3(0), Vec3(0), Vec3(0)};
     for (std::size_t v = 0; v < 4; ++v) {
         const Vec3& g = gradient[v];
         const Vec3 size = glm::abs(g);
@@ -178,42 +205,40 @@ bool CellRows::pieceOf(std::uint32_t n, Piece& piece) const {
         piece.faces.guard[v] = kGuard * (size.x + size.y + size.z);
         // What changes less than the guard along a whole row does not bound it.
         piece.faces.x[v] = size.x * grid_.x < 1e-3 * piece.faces.guard[v] ? 0 : g.x;
+        piece.faces.perX[v] = 1 / g.x;
         piece.faces.y[v] = g.y;
         piece.faces.z[v] = g.z;
         piece.thin = piece.thin || !(glm::length(g) < 1 / kThinnest);
         const Vec3 edge = source_[t[v]] - source_[t[0]];
-        for (int a = 0; a < 3; ++a) piece.change[std::size_t(a)] += g[a] * edge;
+        for (int a = 0; a < 3; ++a) change[std::size_t(a)] += g[a] * edge;
     }
-    piece.source = source_[t[0]];
-    for (int a = 0; a < 3; ++a) piece.source -= origin[a] * piece.change[std::size_t(a)];
-    return true;
+    const Vec3 start = source_[t[0]] - origin.x * change[0] - origin.y * change[1] - origin.z * change[2];
+    const auto numbers = [](const Vec3& v) { return std::array<double, 4>{v.x, v.y, v.z, 0}; };
+    piece.places = {numbers(start), numbers(change[0]), numbers(change[1]), numbers(change[2]), {}};
 }
 
 void CellRows::addTetrahedron(std::uint32_t n, bool asks, RowBlock& block) const {
     Piece piece;
-    if (!pieceOf(n, piece)) return;
-    const int firstJ = std::max(piece.first.y, block.firstRow());
-    const int endJ = std::min(piece.last.y + 1, block.firstRow() + block.rows());
-    const int firstK = std::max(piece.first.z, block.firstSlice());
-    const int endK = std::min(piece.last.z + 1, block.firstSlice() + block.slices());
-    if (firstJ >= endJ) return;
-    RowIntervals found;
-    for (int k = firstK; k < endK; ++k) {
-        intervalsOfRows(piece.faces, firstJ, endJ - firstJ, k, grid_.x, found);
-        for (int j = firstJ; j < endJ; ++j) {
-            const auto row = std::size_t(j - firstJ);
-            const int first = found.first[row], last = found.last[row];
-            const int mayFirst = found.mayFirst[row], mayLast = found.mayLast[row];
-            if (mayFirst > mayLast) continue;
-            if (asks || piece.thin || first > last) {
-                block.ask(j, k, mayFirst, mayLast);
+    if (!boxOf(n, block, piece)) return;
+    facesOf(n, piece);
+    const Index3 first = piece.first, count = piece.end - first;
+    std::array<RowIntervals, RowBlock::kSide> slices;
+    intervalsOfRows(piece.faces, first.y, count.y, first.z, grid_.x, std::span(slices).first(std::size_t(count.z)));
+    block.setPlaces(piece.places);
+    for (int k = piece.first.z; k < piece.end.z; ++k) {
+        const RowIntervals& found = slices[std::size_t(k - first.z)];
+        for (int j = piece.first.y; j < piece.end.y; ++j) {
+            const auto row = std::size_t(j - first.y);
+            const int from = found.first[row], to = found.last[row];
+            const int mayFrom = found.mayFirst[row], mayTo = found.mayLast[row];
+            if (mayFrom > mayTo) continue;
+            if (asks || piece.thin || from > to) {
+                block.ask(j, k, mayFrom, mayTo);
                 continue;
             }
-            if (mayFirst < first) block.ask(j, k, mayFirst, first - 1);
-            if (last < mayLast) block.ask(j, k, last + 1, mayLast);
-            const Vec3 start = piece.source + double(j) * piece.change[1] + double(k) * piece.change[2];
-            const Vec3& step = piece.change[0];
-            block.add(j, k, {{start.x, start.y, start.z}, {step.x, step.y, step.z}, first, last});
+            if (mayFrom < from) block.ask(j, k, mayFrom, from - 1);
+            if (to < mayTo) block.ask(j, k, to + 1, mayTo);
+            block.add(j, k, from, to, piece.inside);
         }
     }
 }

@@ -24,27 +24,45 @@ public:
     int rows() const { return rows_; }      // along j
     int slices() const { return slices_; }  // along k
 
-    /// Adds voxels first … last of row (j, k) with samples at `start` + i · `step`: those inside the volume become
-    /// spans, those at its faces asked for, those outside nothing.
-    void add(int j, int k, VoxelSpan span);
+    /// Says where voxels have their samples, for spans to come.
+    void setPlaces(const SamplePlaces& places);
+    /// Adds voxels first … last of row (j, k): those with samples inside the volume become a span, those at its faces
+    /// are asked for, those outside are nothing. `inside`: all are known to have theirs inside.
+    void add(int j, int k, int first, int last, bool inside) {
+        const VoxelSpan span{current_, first, last};
+        if (inside || holds(j, k, span))
+            addInside(j, k, span);
+        else
+            addPart(j, k, span);
+    }
     /// Voxels first … last of row (j, k) are to be asked for.
     void ask(int j, int k, int first, int last);
 
-    /// The spans of a row, from left to right, as places; false where there is none. `slice`: the lowest that they
-    /// touch.
-    bool place(int j, int k, RowPlaces& places, int& slice);
+    /// What is known of a row, as places; it is forgotten here. False where nothing is in it.
+    bool place(int j, int k, RowPlaces& places);
 
 private:
     struct Row {
         int spans = 0;
         std::vector<std::int32_t> asks;
     };
+    void addInside(int j, int k, const VoxelSpan& span) {
+        const std::size_t row = numberOf(j, k);
+        spans_.push_back(span);
+        spanAt_[row * std::size_t(grid_.x) + std::size_t(span.first)] = std::uint32_t(spans_.size());
+        ++row_[row].spans;
+    }
+    bool holds(int j, int k, const VoxelSpan& span) const;
+    void addPart(int j, int k, VoxelSpan span);
     std::size_t numberOf(int j, int k) const { return std::size_t((k - k_) * kSide + j - j_); }
 
     Index3 grid_, samples_;
     int j_ = 0, k_ = 0, rows_ = 0, slices_ = 0;
     std::vector<Row> row_;
-    std::vector<VoxelSpan> spans_;
+    double unit_;                       // of RowPlaces, voxels
+    std::vector<SamplePlaces> places_;  // in units
+    std::uint32_t current_ = 0;         // the last one
+    std::vector<VoxelSpan> spans_, ofRow_;
     std::vector<std::uint32_t> spanAt_;  // number + 1 of the span that begins at a voxel, 0 for none
 };
 
@@ -52,14 +70,17 @@ private:
 class CellRows {
 public:
     /// @param gridFromDeformed  to the grid's indices; @param indexFromSource  to the volume's. `cells` must live on.
-    CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const Mat4& indexFromSource, const Index3& grid);
+    /// @param samples  the volume's size
+    CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const Mat4& indexFromSource, const Index3& grid,
+             const Index3& samples);
 
     /// Adds to a block, which begins at a multiple of its side, what lies in it.
     void addTo(RowBlock& block) const;
 
 private:
     struct Piece;
-    bool pieceOf(std::uint32_t tetrahedron, Piece& piece) const;
+    bool boxOf(std::uint32_t tetrahedron, const RowBlock& block, Piece& piece) const;
+    void facesOf(std::uint32_t tetrahedron, Piece& piece) const;
     void addTetrahedron(std::uint32_t tetrahedron, bool asks, RowBlock& block) const;
     std::size_t blockAt(int j, int k) const {
         return std::size_t(k / RowBlock::kSide) * blocksAlong_ + std::size_t(j / RowBlock::kSide);
@@ -67,6 +88,7 @@ private:
 
     const MappedCells& cells_;
     Index3 grid_;
+    Vec3 lastSample_;                     // of the volume
     std::vector<Vec3> place_, source_;    // of the vertices: indices of the grid, of the volume
     std::size_t blocksAlong_;             // along j
     std::vector<std::uint32_t> starts_;   // of each block's list in entries_; one more at the end

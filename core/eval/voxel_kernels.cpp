@@ -28,14 +28,15 @@ struct Bounds {
     Double low, high;
 };
 
-/// Cuts off what lies beyond a face: where rest + x · i is less than `least`.
-HWY_INLINE void cut(Double rest, double x, double least, Bounds& bounds) {
+/// Cuts off what lies beyond face f: where rest + x · i is less than `least`.
+HWY_INLINE void cut(const HalfSpaces& piece, std::size_t f, Double rest, double least, Bounds& bounds) {
     const Double missing = hn::Sub(hn::Set(D(), least), rest);
-    if (x == 0) {
+    const double x = piece.x[f];
+    if (HWY_UNLIKELY(x == 0)) {
         bounds.low = hn::IfThenElse(hn::Gt(missing, hn::Zero(D())), hn::Set(D(), kFar), bounds.low);
         return;
     }
-    const Double at = hn::Mul(missing, hn::Set(D(), 1 / x));
+    const Double at = hn::Mul(missing, hn::Set(D(), piece.perX[f]));
     if (x > 0)
         bounds.low = hn::Max(bounds.low, at);
     else
@@ -49,39 +50,79 @@ HWY_INLINE void store(const Bounds& bounds, double last, std::int32_t* firsts, s
     hn::StoreU(hn::DemoteTo(DI(), high), DI(), lasts);
 }
 
-void intervals(const HalfSpaces& piece, int j, int rows, int k, int length, RowIntervals& result) {
+void intervals(const HalfSpaces& piece, int j, int rows, int k, int length, std::span<RowIntervals> result) {
     const auto lanes = static_cast<int>(hn::Lanes(D()));
-    for (int row = 0; row < rows; row += lanes) {
-        const Double at = hn::Iota(D(), j + row);
-        Bounds sure{hn::Zero(D()), hn::Set(D(), kFar)}, may = sure;
-        for (std::size_t f = 0; f < HalfSpaces::kMost; ++f) {
-            const Double rest =
-                hn::Add(hn::Set(D(), piece.c[f] + piece.z[f] * k), hn::Mul(hn::Set(D(), piece.y[f]), at));
-            cut(rest, piece.x[f], piece.guard[f], sure);
-            cut(rest, piece.x[f], -piece.guard[f], may);
+    for (RowIntervals& slice : result) {
+        for (int row = 0; row < rows; row += lanes) {
+            const Double at = hn::Iota(D(), j + row);
+            Bounds sure{hn::Zero(D()), hn::Set(D(), kFar)}, may = sure;
+            for (std::size_t f = 0; f < HalfSpaces::kMost; ++f) {
+                const Double rest =
+                    hn::Add(hn::Set(D(), piece.c[f] + piece.z[f] * k), hn::Mul(hn::Set(D(), piece.y[f]), at));
+                cut(piece, f, rest, piece.guard[f], sure);
+                cut(piece, f, rest, -piece.guard[f], may);
+            }
+            const auto to = static_cast<std::size_t>(row);
+            store(sure, length - 1, &slice.first[to], &slice.last[to]);
+            store(may, length - 1, &slice.mayFirst[to], &slice.mayLast[to]);
         }
-        store(sure, length - 1, &result.first[std::size_t(row)], &result.last[std::size_t(row)]);
-        store(may, length - 1, &result.mayFirst[std::size_t(row)], &result.mayLast[std::size_t(row)]);
+        ++k;
     }
 }
 
 // ---- Places -------------------------------------------------------------------------------------------------------
 
-void place(const VoxelSpan& span, const Index3& size, RowPlaces& places) {
-    const auto lanes = static_cast<std::int32_t>(hn::Lanes(D()));
-    const double one = 1 << places.bits;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const Double start = hn::Set(D(), span.start[a] * one + 0.5), step = hn::Set(D(), span.step[a] * one);
-        // A place on the last sample counts to the cell before it: neighbours of weight 0 may not exist.
-        const Double most = hn::Set(D(), (size[int(a)] - 1.0) * one - 1);
-        std::int32_t* to = places.at[a].data();
-        for (std::int32_t i = span.first; i <= span.last; i += lanes) {
-            const Double x = hn::Add(start, hn::Mul(step, hn::Iota(D(), i)));
+using P = HWY_CAPPED(std::int32_t, 8);
+
+/// `voxel`'s place along the three axes, rounded to units.
+HWY_INLINE void placeOf(const SamplePlaces& p, int voxel, int j, int k, std::int32_t* place) {
+    using A = HWY_CAPPED(double, 4);
+    const hn::Rebind<std::int32_t, A> whole;
+    const A d;
+    const auto i = hn::Set(d, voxel), row = hn::Set(d, j), slice = hn::Set(d, k);
+    for (std::size_t a = 0; a < 4; a += hn::Lanes(d)) {
+        const auto term = [&](const std::array<double, 4>& along, hn::Vec<A> n)
+                              HWY_ATTR { return hn::Mul(hn::LoadU(d, along.data() + a), n); };
+        const auto at = hn::Add(hn::Add(hn::LoadU(d, p.start.data() + a), term(p.alongI, i)),
+                                hn::Add(term(p.alongJ, row), term(p.alongK, slice)));
+        hn::StoreU(hn::DemoteTo(whole, hn::Round(at)), whole, place + a);
+    }
+}
+
+HWY_INLINE void placeSpan(const VoxelSpan& span, const SamplePlaces& p, int j, int k,
+                          const std::array<std::int32_t, 3>& most, const std::array<std::int32_t*, 3>& to) {
+    constexpr std::int32_t kHalf = 4;
+    const P d;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    for (std::int32_t i = span.first; i <= span.last; i += lanes) {
+        // Whole steps from a voxel about the middle: they add up to an error of half a unit each.
+        const std::int32_t middle = std::min(kHalf, span.last - i);
+        std::int32_t place[4];
+        placeOf(p, i + middle, j, k, place);
+        for (std::size_t a = 0; a < 3; ++a) {
+            const auto offset = hn::Sub(hn::Iota(d, 0), hn::Set(d, middle));
+            const auto at = hn::Add(hn::Set(d, place[a]), hn::Mul(offset, hn::Set(d, p.step[a])));
             // What is stored beyond the span is overwritten by the next one, or counts as nothing.
-            hn::StoreU(hn::DemoteTo(DI(), hn::Min(hn::Max(x, hn::Zero(D())), most)), DI(), to + i);
+            hn::StoreU(hn::Min(hn::Max(at, hn::Zero(d)), hn::Set(d, most[a])), d, to[a] + i);
         }
     }
-    std::fill(places.state.begin() + span.first, places.state.begin() + span.last + 1, RowPlaces::Value);
+}
+
+void place(std::span<const VoxelSpan> spans, std::span<const SamplePlaces> list, int j, int k, const Index3& size,
+           RowPlaces& places) {
+    const double one = 1 << places.bits;
+    // A place on the last sample counts to the cell before it: neighbours of weight 0 may not exist.
+    std::array<std::int32_t, 3> most;
+    for (std::size_t a = 0; a < 3; ++a) most[a] = static_cast<std::int32_t>((size[int(a)] - 1.0) * one - 1);
+    const std::array<std::int32_t*, 3> to{places.at[0].data(), places.at[1].data(), places.at[2].data()};
+    for (const VoxelSpan& span : spans) placeSpan(span, list[span.places], j, k, most, to);
+    const auto state = places.state.begin();
+    for (std::size_t n = 0; n < spans.size();) {
+        const std::int32_t first = spans[n].first;
+        std::int32_t end = first;
+        for (; n < spans.size() && spans[n].first == end; ++n) end = spans[n].last + 1;
+        std::fill(state + first, state + end, RowPlaces::Value);
+    }
 }
 
 // ---- Values -------------------------------------------------------------------------------------------------------
@@ -124,10 +165,10 @@ HWY_INLINE float unitOf(int bits) {
     return 1.0F / static_cast<float>(1 << bits);
 }
 
-/// How far the float value may be off: places are rounded to half a unit, the last one of an axis by one more, along
-/// three axes, which a tenth is added to; and each of three interpolations is rounded.
+/// How far the float value may be off: a place is off along three axes, which a tenth is added to; and each of three
+/// interpolations is rounded.
 HWY_INLINE Real doubt(Real range, Real largest, float unit) {
-    return hn::Add(hn::Mul(range, hn::Set(F(), 5 * unit)), hn::Mul(largest, hn::Set(F(), 5e-7F)));
+    return hn::Add(hn::Mul(range, hn::Set(F(), 3.3F * kPlaceError * unit)), hn::Mul(largest, hn::Set(F(), 5e-7F)));
 }
 
 /// Values between eight neighbours, and the range of these.
@@ -136,14 +177,14 @@ struct Interpolated {
 };
 
 template <class T>
-HWY_INLINE Interpolated interpolate(const VoxelRows<T>& rows, const T* voxels, const Cells& cells, float unit) {
+HWY_INLINE Interpolated interpolate(const VoxelRows<T>& rows, const Cells& cells, float unit) {
     const auto realOf = [&](Whole fraction)
                             HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), fraction), hn::Set(F(), unit)); };
     const Whole row = whole(rows.size.x), slice = whole(rows.size.x * rows.size.y);
     const Real u = realOf(cells.fraction[0]), v = realOf(cells.fraction[1]), w = realOf(cells.fraction[2]);
     const Whole above = hn::Add(cells.index, slice);
-    const Pair p[4] = {pairAt(voxels, cells.index), pairAt(voxels, hn::Add(cells.index, row)), pairAt(voxels, above),
-                       pairAt(voxels, hn::Add(above, row))};
+    const Pair p[4] = {pairAt(rows.voxels, cells.index), pairAt(rows.voxels, hn::Add(cells.index, row)),
+                       pairAt(rows.voxels, above), pairAt(rows.voxels, hn::Add(above, row))};
     const Real low = lerp(lerp(p[0].first, p[0].second, u), lerp(p[1].first, p[1].second, u), v);
     const Real high = lerp(lerp(p[2].first, p[2].second, u), lerp(p[3].first, p[3].second, u), v);
     Interpolated result{lerp(low, high, w), p[0].first, p[0].first};
@@ -159,8 +200,8 @@ HWY_INLINE Interpolated interpolate(const VoxelRows<T>& rows, const T* voxels, c
 HWY_INLINE hn::Mask<F> nearOtherCells(const Cells& cells, int bits) {
     auto near = hn::FirstN(I(), 0);
     for (const Whole& fraction : cells.fraction) {
-        const Whole shifted = hn::And(hn::Add(fraction, whole(3)), whole((1 << bits) - 1));
-        near = hn::Or(near, hn::Lt(shifted, whole(6)));
+        const Whole shifted = hn::And(hn::Add(fraction, whole(5)), whole((1 << bits) - 1));
+        near = hn::Or(near, hn::Lt(shifted, whole(10)));
     }
     return hn::RebindMask(F(), near);
 }
@@ -177,19 +218,17 @@ HWY_INLINE Real doubtOf(const VoxelRows<T>& rows, const Cells& cells, const Inte
 template <class T>
 class RowReader {
 public:
-    RowReader(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing)
-        : rows_(rows), places_(places), nothing_(nothing), firstSlice_(firstSlice) {
+    RowReader(const VoxelRows<T>& rows, RowPlaces& places, T nothing)
+        : rows_(rows), nothing_(nothing), bits_(places.bits), state_(places.state.data()) {
+        for (std::size_t a = 0; a < 3; ++a) at_[a] = places.at[a].data();
         const std::size_t slice = std::size_t(rows.size.x) * std::size_t(rows.size.y);
-        voxels_ = rows.voxels + slice * std::size_t(firstSlice);
         // A pair is read as four bytes: of the last three voxels of all, these reach beyond the end.
-        const std::size_t left = slice * std::size_t(rows.size.z - firstSlice);
-        const std::size_t reach = 4 / sizeof(T) + std::size_t(rows.size.x) + slice;
-        lastIndex_ = std::int32_t(std::min<std::size_t>(left > reach ? left - reach : 0, 0x7fffffff));
+        lastIndex_ = std::int32_t(slice * std::size_t(rows.size.z - 1) - std::size_t(rows.size.x) - 4 / sizeof(T));
     }
 
     /// Values of the lanes from `at` on; true where one is in doubt.
     HWY_INLINE bool read(std::size_t at, T* out) {
-        std::uint8_t* state = places_.state.data() + at;
+        std::uint8_t* state = state_ + at;
         const hn::Rebind<std::uint8_t, I> bytes;
         const auto states = hn::PromoteTo(I(), hn::LoadU(bytes, state));
         const auto wanted = hn::Eq(states, whole(RowPlaces::Value));
@@ -211,21 +250,21 @@ private:
         Cells cells;
         Whole below[3];
         for (std::size_t a = 0; a < 3; ++a) {
-            const Whole place = hn::LoadU(I(), places_.at[a].data() + at);
-            below[a] = hn::ShiftRightSame(place, places_.bits);
-            cells.fraction[a] = hn::And(place, whole((1 << places_.bits) - 1));
+            const Whole place = hn::LoadU(I(), at_[a] + at);
+            below[a] = hn::ShiftRightSame(place, bits_);
+            cells.fraction[a] = hn::And(place, whole((1 << bits_) - 1));
         }
-        // Lanes that are not wanted may lie below the first slice.
-        const Whole k = hn::Max(hn::Sub(below[2], whole(firstSlice_)), whole(0));
-        const Whole row = hn::Add(below[1], hn::Mul(k, whole(rows_.size.y)));
+        const Whole row = hn::Add(below[1], hn::Mul(below[2], whole(rows_.size.y)));
         const Whole index = hn::Add(below[0], hn::Mul(row, whole(rows_.size.x)));
         cells.index = hn::Min(index, whole(lastIndex_));
-        const Interpolated found = interpolate(rows_, voxels_, cells, unitOf(places_.bits));
-        const Real rounded = hn::Round(found.value);
+        const Interpolated found = interpolate(rows_, cells, unitOf(bits_));
+        // By the place of a float's last bit: values are far from where that would overflow.
+        const Real shift = hn::Set(F(), 12582912.0F), shifted = hn::Add(found.value, shift);
+        const Real rounded = hn::Sub(shifted, shift);
         const Real off = hn::Abs(hn::Sub(found.value, rounded));
-        const auto unsure = hn::Gt(hn::Add(off, doubtOf(rows_, cells, found, places_.bits)), hn::Set(F(), 0.5F));
+        const auto unsure = hn::Gt(hn::Add(off, doubtOf(rows_, cells, found, bits_)), hn::Set(F(), 0.5F));
         doubtful = hn::Or(hn::RebindMask(I(), unsure), hn::Ne(index, cells.index));
-        return hn::NearestInt(rounded);
+        return hn::Sub(hn::BitCast(I(), shifted), hn::BitCast(I(), shift));
     }
 
     void mark(hn::Mask<I> lanes, std::uint8_t* state) const {
@@ -235,17 +274,17 @@ private:
             if (set[l] != 0) state[l] = RowPlaces::Ask;
     }
 
-    const VoxelRows<T>& rows_;
-    RowPlaces& places_;
+    VoxelRows<T> rows_;
     T nothing_;
-    std::int32_t firstSlice_;
-    const T* voxels_;
+    int bits_;
+    std::uint8_t* state_;
+    const std::int32_t* at_[3];
     std::int32_t lastIndex_;
 };
 
 template <class T>
-bool valuesAlong(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out) {
-    RowReader<T> reader(rows, firstSlice, places, nothing);
+bool valuesAlong(const VoxelRows<T>& rows, RowPlaces& places, T nothing, std::span<T> out) {
+    RowReader<T> reader(rows, places, nothing);
     const std::size_t lanes = hn::Lanes(I());
     bool asks = false;
     std::size_t at = 0;
@@ -258,9 +297,9 @@ bool valuesAlong(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T 
     return asks;
 }
 
-#define VOLEDIT_VALUES(Name, T)                                                                                   \
-    bool values##Name(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out) { \
-        return valuesAlong(rows, firstSlice, places, nothing, out);                                               \
+#define VOLEDIT_VALUES(Name, T)                                                                   \
+    bool values##Name(const VoxelRows<T>& rows, RowPlaces& places, T nothing, std::span<T> out) { \
+        return valuesAlong(rows, places, nothing, out);                                           \
     }
 VOLEDIT_VALUES(Int8, std::int8_t)
 VOLEDIT_VALUES(UInt8, std::uint8_t)
@@ -291,19 +330,20 @@ void RowPlaces::clear(std::size_t length) {
     state.assign(length + kBeyond, Nothing);
 }
 
-void intervalsOfRows(const HalfSpaces& piece, int j, int rows, int k, int length, RowIntervals& result) {
+void intervalsOfRows(const HalfSpaces& piece, int j, int rows, int k, int length, std::span<RowIntervals> result) {
     HWY_DYNAMIC_DISPATCH(intervals)(piece, j, rows, k, length, result);
 }
 
-void placeSpan(const VoxelSpan& span, const Index3& size, RowPlaces& places) {
-    HWY_DYNAMIC_DISPATCH(place)(span, size, places);
+void placeSpans(std::span<const VoxelSpan> spans, std::span<const SamplePlaces> list, int j, int k, const Index3& size,
+                RowPlaces& places) {
+    HWY_DYNAMIC_DISPATCH(place)(spans, list, j, k, size, places);
 }
 
-#define VOLEDIT_VALUES(Name, T)                                                                                  \
-    HWY_EXPORT(values##Name);                                                                                    \
-    template <>                                                                                                  \
-    bool valuesOfRow(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out) { \
-        return HWY_DYNAMIC_DISPATCH(values##Name)(rows, firstSlice, places, nothing, out);                       \
+#define VOLEDIT_VALUES(Name, T)                                                                  \
+    HWY_EXPORT(values##Name);                                                                    \
+    template <>                                                                                  \
+    bool valuesOfRow(const VoxelRows<T>& rows, RowPlaces& places, T nothing, std::span<T> out) { \
+        return HWY_DYNAMIC_DISPATCH(values##Name)(rows, places, nothing, out);                   \
     }
 VOLEDIT_VALUES(Int8, std::int8_t)
 VOLEDIT_VALUES(UInt8, std::uint8_t)

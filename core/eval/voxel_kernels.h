@@ -16,6 +16,7 @@ namespace voledit {
 struct HalfSpaces {
     static constexpr std::size_t kMost = 4;
     std::array<double, kMost> c, x, y, z, guard;
+    std::array<double, kMost> perX;  // 1 / x; whatever where x is 0
 };
 
 /// Along each of some rows: the voxels that are surely inside lie from `first` to `last`, those that may be from
@@ -25,12 +26,20 @@ struct RowIntervals {
     std::array<std::int32_t, kRows> first, last, mayFirst, mayLast;
 };
 
-/// The rows j, j + 1, …, of `rows` (≤ kRows), in slice k, of voxels 0 … length − 1.
-void intervalsOfRows(const HalfSpaces& piece, int j, int rows, int k, int length, RowIntervals& result);
+/// The rows j, j + 1, …, of `rows` (≤ kRows), in the slices k, k + 1, … (result[0], result[1], …), of voxels
+/// 0 … length − 1.
+void intervalsOfRows(const HalfSpaces& piece, int j, int rows, int k, int length, std::span<RowIntervals> result);
 
-/// Voxels first … last of a row, whose samples lie at start + i · step in index space of the volume, inside it.
+/// Where voxels have their samples: start + i · alongI + j · alongJ + k · alongK, three numbers and a fourth that fills
+/// a vector. In index space of the volume, or in units of RowPlaces.
+struct SamplePlaces {
+    std::array<double, 4> start, alongI, alongJ, alongK;
+    std::array<std::int32_t, 4> step{};  // alongI rounded, where that is in units
+};
+
+/// Voxels first … last of a row, whose samples lie inside the volume, where `places` of a list says.
 struct VoxelSpan {
-    std::array<double, 3> start, step;
+    std::uint32_t places;
     std::int32_t first, last;
 };
 
@@ -50,8 +59,11 @@ struct RowPlaces {
     std::vector<std::uint8_t> state;
 };
 
-/// Fills in the places of a span, clamped to a volume of `size` samples.
-void placeSpan(const VoxelSpan& span, const Index3& size, RowPlaces& places);
+/// Fills in the places of spans of row (j, k), from left to right, clamped to a volume of `size` samples. `list` is in
+/// units, and places are off by at most `kPlaceError` of them.
+void placeSpans(std::span<const VoxelSpan> spans, std::span<const SamplePlaces> list, int j, int k, const Index3& size,
+                RowPlaces& places);
+inline constexpr float kPlaceError = 3.5F;
 
 /// How to reach a volume's voxels: one channel, row after row.
 template <class T>
@@ -62,9 +74,9 @@ struct VoxelRows {
 };
 
 /// out[i] = the trilinear value at place i, rounded to nearest, where the state is Value; `nothing` elsewhere. Where
-/// the rounding of the exact value is in doubt the state becomes Ask; true where one did. T has at most 16 bits.
-/// `firstSlice`: the lowest slice that the places touch.
+/// the rounding of the exact value is in doubt the state becomes Ask; true where one did. T has at most 16 bits; the
+/// volume has less than 2³¹ bytes.
 template <class T>
-bool valuesOfRow(const VoxelRows<T>& rows, int firstSlice, RowPlaces& places, T nothing, std::span<T> out);
+bool valuesOfRow(const VoxelRows<T>& rows, RowPlaces& places, T nothing, std::span<T> out);
 
 }  // namespace voledit

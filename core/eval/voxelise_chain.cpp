@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <glm/matrix.hpp>
 #include <optional>
 
@@ -54,30 +55,34 @@ public:
 private:
     /// Without cells a row is one span.
     void addWholeRows() {
+        const Mat4& m = indexFromVoxel_;
+        const auto column = [&](int c) { return std::array<double, 4>{m[c].x, m[c].y, m[c].z, 0}; };
+        block_.setPlaces({column(3), column(0), column(1), column(2), {}});
         for (int k = block_.firstSlice(); k < block_.firstSlice() + block_.slices(); ++k)
-            for (int j = block_.firstRow(); j < block_.firstRow() + block_.rows(); ++j) {
-                const Vec3 start = transformPoint(indexFromVoxel_, Vec3(0, j, k)), step(indexFromVoxel_[0]);
-                block_.add(j, k, {{start.x, start.y, start.z}, {step.x, step.y, step.z}, 0, size_.x - 1});
-            }
+            for (int j = block_.firstRow(); j < block_.firstRow() + block_.rows(); ++j)
+                block_.add(j, k, 0, size_.x - 1, false);
     }
 
     void fillRow(int j, int k) {
         const std::size_t at = (std::size_t(k) * std::size_t(size_.y) + std::size_t(j)) * std::size_t(size_.x);
         const std::span<T> row = out_.subspan(at, std::size_t(size_.x));
-        int slice = 0;
-        bool asks = block_.place(j, k, places_, slice);
-        if (chain_.cells && chain_.keepsOutside) {
+        const bool keeps = chain_.cells && chain_.keepsOutside;
+        if (!block_.place(j, k, places_)) {
+            if (!keeps) return std::fill(row.begin(), row.end(), nothing_);
+            places_.clear(row.size());
+        }
+        if (keeps)
             std::replace(places_.state.begin(), places_.state.begin() + size_.x, std::uint8_t(RowPlaces::Nothing),
                          std::uint8_t(RowPlaces::Ask));
-            asks = true;
+        valuesOfRow(rows_, places_, nothing_, row);
+        const std::uint8_t* state = places_.state.data();
+        for (int i = 0; i < size_.x; ++i) {
+            const void* found = std::memchr(state + i, RowPlaces::Ask, std::size_t(size_.x - i));
+            if (!found) return;
+            i = int(static_cast<const std::uint8_t*>(found) - state);
+            asked_.push_back(at + std::size_t(i));
+            points_.push_back(transformPoint(request_.grid.worldFromIndex, Vec3(i, j, k)));
         }
-        if (!asks) return std::fill(row.begin(), row.end(), nothing_);
-        valuesOfRow(rows_, slice, places_, nothing_, row);
-        for (int i = 0; i < size_.x; ++i)
-            if (places_.state[std::size_t(i)] == RowPlaces::Ask) {
-                asked_.push_back(at + std::size_t(i));
-                points_.push_back(transformPoint(request_.grid.worldFromIndex, Vec3(i, j, k)));
-            }
     }
 
     void answer() {
@@ -114,7 +119,7 @@ std::shared_ptr<const Volume> voxelised(const ScalarChain& chain, const Voxelise
     std::optional<CellRows> cells;
     if (chain.cells)
         cells.emplace(*chain.cells, glm::inverse(chain.deformedFromWorld * grid.worldFromIndex), chain.indexFromSource,
-                      grid.size);
+                      grid.size, chain.volume->grid().size);
     constexpr int kSide = RowBlock::kSide;
     const Index3 blocks = (grid.size + (kSide - 1)) / kSide;
     const std::size_t count = std::size_t(blocks.y) * std::size_t(blocks.z);
