@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/objects/fitted_terms.h"
 #include "render/gl_state.h"
 #include "render/march_picture.h"
 #include "render/slice_picture.h"
@@ -32,12 +33,19 @@ struct SliceRenderer::State {
     explicit State(const SliceOptions& options) : workshop(options) {}
 
     SliceWorkshop workshop;
+    VolumeFitter fitter;
+    CompiledScene fitted;  // the scene drawn, where that is not the one given
+    int largestTexture = 0;
     std::unique_ptr<PictureWork> picture;
     Vec3f background{0};
     int batchesAtOnce = 1;
 };
 
-SliceRenderer::SliceRenderer(const SliceOptions& options) : state_(std::make_unique<State>(options)) {}
+SliceRenderer::SliceRenderer(const SliceOptions& options) : state_(std::make_unique<State>(options)) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+    state_->largestTexture = options.largestTexture > 0 ? std::min(options.largestTexture, largest) : largest;
+}
 
 SliceRenderer::~SliceRenderer() = default;
 
@@ -45,7 +53,13 @@ void SliceRenderer::begin(const CompiledScene& scene, Index2 size, double stepSc
     const GlStateGuard guard;
     state_->picture.reset();
     state_->background = scene.render.background;
-    state_->picture = startPicture(state_->workshop, scene, size, stepScale, moving);
+    const TermPtr root = state_->fitter.fitted(scene.root, state_->largestTexture);
+    if (root != scene.root) {
+        state_->fitted = scene;
+        state_->fitted.root = root;
+    }
+    const CompiledScene& drawn = root == scene.root ? scene : state_->fitted;
+    state_->picture = startPicture(state_->workshop, drawn, size, stepScale, moving);
 }
 
 bool SliceRenderer::advance(double budgetMs) {
@@ -92,6 +106,10 @@ Picture SliceRenderer::readBack() const {
             picture.at(x, y) = Vec4f(Vec3f(from) + (1 - from.a) * background, from.a);
         }
     return picture;
+}
+
+const std::vector<std::string>& SliceRenderer::notices() const {
+    return state_->fitter.notices();
 }
 
 const SliceStatistics& SliceRenderer::statistics() const {

@@ -3,6 +3,8 @@
 // coordinates, slices are composited front to back in float (architecture.md, "Rendering by slices").
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/base/picture.h"
 #include "core/scene/compile.h"
@@ -25,6 +27,7 @@ struct SliceOptions {
     bool mask = true;    // stop at pixels that are nearly opaque
     int segments = 2;    // steps that one slice stands for: a slab is so many steps thick
     int subsamples = 2;  // points of each step that are classified, between the scalars at its ends
+    int largestTexture = 0;  // voxels along an axis that volumes may have; 0: what OpenGL allows
 };
 
 /// Draws compiled scenes with the current GL context. Keeps textures and programs between pictures and uploads only
@@ -55,6 +58,8 @@ public:
     Picture readBack() const;
 
     const SliceStatistics& statistics() const;
+    /// What the picture that begin() started lacks, a line each: volumes too large for OpenGL are drawn reduced.
+    const std::vector<std::string>& notices() const;
 
 private:
     struct State;

@@ -26,12 +26,19 @@ void convert(const Volume& volume, int channel, T, const Upload& upload) {
     const VolumeGrid& grid = volume.grid();
     const T* voxels = reinterpret_cast<const T*>(volume.voxels().data()) + channel;
     const std::size_t slice = std::size_t(grid.size.x) * std::size_t(grid.size.y);
-    const int block = int(std::clamp<std::size_t>((std::size_t(4) << 20) / slice, 1, std::size_t(grid.size.z)));
+    // A few slices at a time: what is on its way must not count beside the volume and its texture.
+    const int block = int(std::clamp<std::size_t>((std::size_t(1) << 20) / slice, 1, std::size_t(grid.size.z)));
+    if constexpr (std::is_same_v<T, Stored>)
+        if (grid.channels == 1) {  // stored as they are
+            for (int k = 0; k < grid.size.z; k += block)
+                upload(k, std::min(block, grid.size.z - k), voxels + std::size_t(k) * slice);
+            return;
+        }
     std::vector<Stored> values(slice * std::size_t(block));
     for (int k = 0; k < grid.size.z; k += block) {
         const int count = std::min(block, grid.size.z - k);
         const T* from = voxels + std::size_t(k) * slice * std::size_t(grid.channels);
-        parallelFor(slice * std::size_t(count), 1 << 18, [&](std::size_t begin, std::size_t end) {
+        parallelFor(slice * std::size_t(count), 1 << 17, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 const T value = from[n * std::size_t(grid.channels)];
                 if constexpr (kFitsR16<T>)

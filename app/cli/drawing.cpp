@@ -69,6 +69,7 @@ public:
             byRays_ = true;
             return rays_.draw(scene, size, progress);
         }
+        if (!slices_->notices().empty() && !std::exchange(noticed_, true)) printWarnings(slices_->notices());
         while (!slices_->advance(progress ? 200 : 0)) report(progress, slices_->progress());
         return slices_->readBack();
     }
@@ -85,6 +86,7 @@ private:
     std::unique_ptr<SliceRenderer> slices_;  // goes before its context
     bool orRays_;
     RayDrawing rays_;
+    bool noticed_ = false;
     bool byRays_ = false, warned_ = false;  // whether the last picture was drawn by rays; whether that was ever said
 };
 

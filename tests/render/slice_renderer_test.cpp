@@ -206,6 +206,23 @@ TEST(SliceRenderer, WhatChangedIsDrawnAnew) {
     EXPECT_EQ(renderSlices(one, scene, {90, 70}).size, Index2(90, 70));
 }
 
+TEST(SliceRenderer, VolumesTooLargeForOpenGlAreDrawnReduced) {
+    const CompiledScene scene = sceneOf(makeVolumeTerm(ballVolume(96), 0, softAppearance()), unitOf(96));
+    offscreen();
+    SliceRenderer limited({.largestTexture = 50}), whole;
+    const Picture reduced = renderSlices(limited, scene, kSize);
+    ASSERT_EQ(limited.notices().size(), 1u);
+    EXPECT_NE(limited.notices()[0].find("48x48x48"), std::string::npos) << limited.notices()[0];
+    const Picture full = renderSlices(whole, scene, kSize);
+    EXPECT_TRUE(whole.notices().empty());
+    EXPECT_NE(reduced.pixels, full.pixels);
+    EXPECT_GE(psnr(reduced, full), 30);
+    CompiledScene small = scene;
+    small.root = makeVolumeTerm(ballVolume(40), 0, softAppearance());
+    EXPECT_EQ(renderSlices(limited, small, kSize).pixels, renderSlices(whole, small, kSize).pixels);
+    EXPECT_TRUE(limited.notices().empty());
+}
+
 TEST(SliceRenderer, EveryVoxelTypeGivesTheSamePicture) {
     const auto waves = wavesVolume(20);
     const Picture real = slicesOf(sceneOf(makeVolumeTerm(waves, 0, softAppearance()), unitOf(20)), kSize);

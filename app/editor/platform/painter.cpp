@@ -37,6 +37,8 @@ bool Painter::update(Editor& editor, double restMs) {
     bool isNew = false;
     guarded(editor,
             [&] { isNew = picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, frame); });
+    for (const std::string& notice : picture().notices())
+        if (noted_.insert(notice).second) editor.workspace().notify(Notice::Kind::Warning, notice);
     return isNew;
 }
 

@@ -2,6 +2,8 @@
 // From an editor's frame to pixels.
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "app/editor/editor.h"
 #include "app/editor/platform/imgui_renderer.h"
@@ -35,7 +37,8 @@ private:
     ImGuiRenderer interface_;
     ViewportPicture picture_;
     int fontsBuilt_ = 0;
-    std::string problem_;  // told last, so that it is told once
+    std::string problem_;          // told last, so that it is told once
+    std::set<std::string> noted_;  // what pictures lack that was told
 };
 
 }  // namespace voledit

@@ -212,6 +212,11 @@ bool PictureSchedule::finish(const CompiledScene& scene, Index2 size, RendererCh
     return complete();
 }
 
+std::vector<std::string> PictureSchedule::notices() const {
+    const PictureSource* source = sources_[rays_ ? 1 : 0].get();
+    return source ? source->notices() : std::vector<std::string>();
+}
+
 double PictureSchedule::progress() const {
     if (finished()) return 1;
     const PictureSource* source = sources_[rays_ ? 1 : 0].get();

@@ -60,6 +60,8 @@ public:
     bool rays() const { return rays_; }
     /// Why rays drew where slices were wanted; empty where they were not.
     const std::string& slicesProblem() const { return slicesProblem_; }
+    /// What its pictures lack, a line each.
+    std::vector<std::string> notices() const;
     /// Why this renderer draws, in a sentence.
     std::string reason() const;
 

@@ -14,6 +14,7 @@ public:
     bool advance(double budgetMs) override { return renderer_.advance(budgetMs); }
     double progress() const override { return renderer_.progress(); }
     bool movingDiffers() const override { return true; }
+    std::vector<std::string> notices() const override { return renderer_.notices(); }
     SourceTexture texture() override { return {.name = renderer_.texture(), .flipped = false, .opaque = false}; }
     const Picture& picture() override { return picture_ = renderer_.readBack(); }
 

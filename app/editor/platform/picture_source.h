@@ -2,6 +2,8 @@
 // The two ways of drawing a compiled scene into a texture, behind one interface.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/base/picture.h"
 #include "core/scene/compile.h"
@@ -36,6 +38,8 @@ public:
     virtual double progress() const = 0;
     /// True where `moving` makes another picture.
     virtual bool movingDiffers() const = 0;
+    /// What the picture lacks, for the user to know, a line each.
+    virtual std::vector<std::string> notices() const { return {}; }
     /// The picture, once complete; valid until the next begin().
     virtual SourceTexture texture() = 0;
     /// The same with the background under it, in the CPU's memory.
