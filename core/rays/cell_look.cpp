@@ -1,5 +1,6 @@
 #include "core/rays/cell_look.h"
 
+#include <algorithm>
 #include <glm/matrix.hpp>
 
 #include "core/base/parallel.h"
@@ -96,16 +97,22 @@ bool CellWay::isMappedCells() const {
     return by.size() == 1 && by.front()->cells() && by.front()->outside() == Outside::Hide;
 }
 
-void CellWay::toIndex(std::span<const Vec3> p, std::span<Vec3> x) const {
-    by.front()->map(p, x);
-    for (std::size_t n = 1; n < by.size(); ++n) by[n]->map(x, x);
+const MappedCells* CellWay::outerCells() const {
+    const MappedCells* cells = by.front()->cells();
+    return cells && by.front()->outside() == Outside::Hide && !cells->hexahedra().empty() ? cells : nullptr;
+}
+
+void CellWay::toIndex(std::span<const Vec3> q, std::span<Vec3> x) const {
+    if (q.data() != x.data()) std::copy(q.begin(), q.end(), x.begin());
+    for (std::size_t n = outerCells() ? 1 : 0; n < by.size(); ++n) by[n]->map(x, x);
     for (Vec3& at : x) at = transformPoint(indexFromRest, at);
 }
 
-void CellWay::turns(std::span<const Vec3> p, std::span<GradientTurn> turn) const {
-    std::vector<Vec3> at(p.begin(), p.end());
-    std::vector<Mat3> whole(p.size(), Mat3(1)), jacobian(p.size());
-    for (std::size_t n = 0; n < by.size(); ++n) {
+void CellWay::turns(std::span<const Vec3> q, std::span<const Mat3> outer, std::span<GradientTurn> turn) const {
+    std::vector<Vec3> at(q.begin(), q.end());
+    std::vector<Mat3> whole(q.size(), Mat3(1)), jacobian(q.size());
+    std::copy(outer.begin(), outer.end(), whole.begin());
+    for (std::size_t n = outerCells() ? 1 : 0; n < by.size(); ++n) {
         by[n]->jacobian(at, jacobian);
         for (std::size_t i = 0; i < whole.size(); ++i) whole[i] = jacobian[i] * whole[i];
         if (n + 1 < by.size()) by[n]->map(at, at);

@@ -10,6 +10,8 @@
 
 namespace voledit {
 
+class MappedCells;
+
 /// What leads from a picture's rays to a volume under maps.
 struct CellWay {
     TermPtr term;                 // the outermost map's transfer, whose space is that of the deformed cells
@@ -21,10 +23,15 @@ struct CellWay {
 
     /// Whether the only map is mapped cells and nothing shows outside: then those are the cells.
     bool isMappedCells() const;
-    /// x[n] = index space of p[n], kUndefined where a map is. Sizes must be equal.
-    void toIndex(std::span<const Vec3> p, std::span<Vec3> x) const;
-    /// turn[n] = what turns gradients at p[n]. Sizes must be equal.
-    void turns(std::span<const Vec3> p, std::span<GradientTurn> turn) const;
+    /// The outermost map's cells, where nothing shows outside them and they are hexahedra: they lead to the inner maps.
+    /// Null: all maps are inner ones.
+    const MappedCells* outerCells() const;
+    /// x[n] = index space of q[n], which the inner maps go on from; kUndefined where one of them is. Sizes must be
+    /// equal; may alias.
+    void toIndex(std::span<const Vec3> q, std::span<Vec3> x) const;
+    /// turn[n] = what turns gradients where the inner maps go on from q[n] and dq/dp = outer[n] (none: the identity).
+    /// Sizes must be equal.
+    void turns(std::span<const Vec3> q, std::span<const Mat3> outer, std::span<GradientTurn> turn) const;
     /// What turns gradients where the maps' Jacobian is `jacobian`.
     GradientTurn turnOf(const Mat3& jacobian) const;
 };

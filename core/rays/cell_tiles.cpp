@@ -111,16 +111,19 @@ private:
     /// Puts the pieces within ragged cells in these cells' place.
     void findRagged(const TileRays& rays, HitLists& hits, RaggedPieces& ragged) const {
         const std::uint32_t first = look_->cells.firstRagged;
+        const bool joined = !look_->way.outerCells();
         for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
             const std::span<CellHit> of = hits.of(pixel);
             const auto place = Index2(int(pixel) % kTile, int(pixel) / kTile);
             for (std::size_t n = 0; n < of.size(); ++n) {
                 if (of[n].cell < first) continue;
                 RaggedPieces::Piece stretch{std::uint32_t(pixel), of[n].begin, of[n].end};
-                while (n + 1 < of.size() && of[n + 1].cell >= first && of[n + 1].begin == stretch.end)
+                // Where all maps are inner ones, all ragged cells lead there alike.
+                const std::uint32_t cell = of[n].cell;
+                while (joined && n + 1 < of.size() && of[n + 1].cell >= first && of[n + 1].begin == stretch.end)
                     stretch.end = of[++n].end;
                 const Ray ray = rayOf(rays, place);
-                ragged.add(stretch, ray.base, ray.along);
+                ragged.add(*look_, stretch, cell, ray.base, ray.along);
             }
         }
         ragged.find(*look_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -13,11 +14,11 @@ namespace voledit {
 
 namespace {
 
-constexpr int kCoarsest = 16;         // boxes along the longest side of the bounds …
-constexpr int kLevels = 3;            // … halved so many times less one
-constexpr int kUnits = 1 << kLevels;  // places are counted in half sides of the smallest boxes: so many a coarsest side
+constexpr int kCoarsest = 16;           // boxes along the longest side of the bounds, where no cells are given …
+constexpr int kHalvings = 2;            // … and how often boxes and cells may be halved
+constexpr int kUnits = 2 << kHalvings;  // places in a cell are counted in half sides of the smallest parts
 // Of the maps' interpolation, voxels: found at the middles of edges, between which it may be a little larger.
-constexpr double kTolerance = 0.08;
+constexpr double kTolerance = 0.1;
 
 bool finite(const Vec3& v) {
     return std::isfinite(v.x + v.y + v.z);
@@ -27,25 +28,54 @@ double largestOf(const Vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Where the maps lead from the 3³ places of a box: its corners, and the middles of its edges, faces and itself.
+/// Hexahedra to begin with: at each vertex its place p, and the place q where the maps go on from there.
+struct Base {
+    std::span<const Vec3> p, q;
+    std::span<const Mat3> jacobian;  // dq/dp; empty where q = p
+    std::span<const std::array<std::uint32_t, 8>> cells;
+};
+
+/// A value within a hexahedron that is affine in each of its six tetrahedra, at `units`, from those at its corners.
+/// Halves of such hexahedra are such hexahedra again: their tetrahedra lie within those of the whole.
+template <class T>
+T within(std::span<const T> values, const std::array<std::uint32_t, 8>& cell, Index3 units) {
+    std::array<int, 3> axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return units[a] > units[b]; });
+    T result = values[cell[0]];
+    std::size_t corner = 0;
+    for (const int axis : axes) {
+        if (units[axis] == 0) break;
+        const std::size_t next = corner + (std::size_t(1) << axis);
+        result += double(units[axis]) / kUnits * (values[cell[next]] - values[cell[corner]]);
+        corner = next;
+    }
+    return result;
+}
+
+/// Where the maps lead from the 3³ places of a part: its corners, and the middles of its edges, faces and itself.
 using Nodes = std::array<Vec3, 27>;
 
 constexpr std::size_t nodeAt(int i, int j, int k) {
     return std::size_t(i + 3 * (j + 3 * k));
 }
+Index3 cornerOf(int c) {
+    return {c & 1, c >> 1 & 1, c >> 2};
+}
 
 enum class Kind : std::uint8_t { Empty, Affine, Ragged };
 
-struct BoxCell {
-    Index3 first;  // corner, units
+/// A cell or a part of one.
+struct Part {
+    std::uint32_t cell = 0;
+    Index3 first{0};  // corner, units
     int size = kUnits;
-    std::array<Vec3, 8> x{};  // at the corners, i + 2j + 4k
+    std::array<Vec3, 8> x{};  // index space, at the corners
     double error = 0;         // voxels
 };
 
-/// Boxes found by one part of the work.
+/// Parts found by one portion of the work.
 struct Found {
-    std::vector<BoxCell> affine, ragged;
+    std::vector<Part> affine, ragged;
 
     void append(const Found& other) {
         affine.insert(affine.end(), other.affine.begin(), other.affine.end());
@@ -53,134 +83,138 @@ struct Found {
     }
 };
 
-/// Calls body(begin, end, result) for parts of [0, count), `grain` long, in parallel; gives the results in order.
+/// Calls body(begin, end, result) for portions of [0, count), `grain` long, in parallel; gives the results in order.
 template <class Result, class Body>
-std::vector<Result> inParts(std::size_t count, std::size_t grain, const Body& body) {
-    std::vector<Result> parts((count + grain - 1) / grain);
-    parallelFor(parts.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t n = first; n < last; ++n) body(n * grain, std::min((n + 1) * grain, count), parts[n]);
+std::vector<Result> inPortions(std::size_t count, std::size_t grain, const Body& body) {
+    std::vector<Result> portions((count + grain - 1) / grain);
+    parallelFor(portions.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t n = first; n < last; ++n) body(n * grain, std::min((n + 1) * grain, count), portions[n]);
     });
-    return parts;
+    return portions;
 }
 
-Found joined(const std::vector<Found>& parts) {
+Found joined(const std::vector<Found>& portions) {
     Found all;
-    for (const Found& part : parts) all.append(part);
+    for (const Found& portion : portions) all.append(portion);
     return all;
+}
+
+/// How far the maps are from what lies between the corners along the tetrahedra's edges: at their middles.
+double errorOf(const Nodes& x) {
+    double error = 0;
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) {
+                if (i != 1 && j != 1 && k != 1) continue;
+                const auto end = [&](int to) { return x[nodeAt(i == 1 ? to : i, j == 1 ? to : j, k == 1 ? to : k)]; };
+                error = std::max(error, largestOf(x[nodeAt(i, j, k)] - 0.5 * (end(0) + end(2))));
+            }
+    return error;
+}
+
+/// The largest step between neighbours of which both are defined.
+double largestStep(const Nodes& x) {
+    double step = 0;
+    const auto compare = [&](const Vec3& one, const Vec3& other) {
+        const double length = largestOf(other - one);
+        if (std::isfinite(length)) step = std::max(step, length);
+    };
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) {
+                const Vec3& at = x[nodeAt(i, j, k)];
+                if (i < 2) compare(at, x[nodeAt(i + 1, j, k)]);
+                if (j < 2) compare(at, x[nodeAt(i, j + 1, k)]);
+                if (k < 2) compare(at, x[nodeAt(i, j, k + 1)]);
+            }
+    return step;
 }
 
 class ChainCells {
 public:
-    ChainCells(const CellWay& way, const VolumeLook& look)
-        : way_(way), skip_(look.skip), domain_(look.volumeTerm().volume->grid().indexDomain()), box_(way.term->bounds) {
-        const Vec3 extent = box_.size();
-        const double side = std::max({extent.x, extent.y, extent.z}) / kCoarsest;
-        if (box_.empty() || !(side > 0) || !std::isfinite(side)) return;
-        count_ = glm::clamp(Index3(glm::ceil(extent / side - 0.01)), Index3(1), Index3(kCoarsest));
-        unit_ = extent / Vec3(count_ * kUnits);
+    ChainCells(const CellWay& way, const VolumeLook& look, const Base& base)
+        : way_(way), base_(base), skip_(look.skip), domain_(look.volumeTerm().volume->grid().indexDomain()) {}
+
+    /// Sorts all cells into affine and ragged parts.
+    Found parts() const {
+        std::vector<Vec3> x(base_.q.size());
+        parallelFor(x.size(), 512, [&](std::size_t begin, std::size_t end) {
+            way_.toIndex(base_.q.subspan(begin, end - begin), std::span(x).subspan(begin, end - begin));
+        });
+        Found found =
+            joined(inPortions<Found>(base_.cells.size(), 32, [&](std::size_t begin, std::size_t end, Found& to) {
+                decideCells(x, begin, end, to);
+            }));
+        std::vector<Part> affine = std::move(found.affine);
+        for (int size = kUnits / 2; size >= 2 && !found.ragged.empty(); size /= 2) {
+            const std::vector<Part> halved = std::exchange(found.ragged, {});
+            found = joined(inPortions<Found>(halved.size(), 8, [&](std::size_t begin, std::size_t end, Found& to) {
+                decideHalves(std::span(halved).subspan(begin, end - begin), size, to);
+            }));
+            affine.insert(affine.end(), found.affine.begin(), found.affine.end());
+        }
+        found.affine = std::move(affine);
+        return found;
     }
 
-    PacketCells cells(bool turned) {
-        PacketCells result;
-        result.origin = box_.empty() ? Vec3(0) : box_.center();
-        const Found found = boxes();
-        number(found, result);
-        append(found.affine, true, result);
-        result.firstRagged = std::uint32_t(result.cells.size());
-        append(found.ragged, false, result);
-        if (!turned) return result;
-        result.turn.resize(result.position.size());
-        parallelFor(result.position.size(), 512, [&](std::size_t begin, std::size_t end) {
-            way_.turns(std::span(result.position).subspan(begin, end - begin),
-                       std::span(result.turn).subspan(begin, end - begin));
-        });
-        return result;
+    bool visible(const Box3& box, double margin) const {
+        return skip_.mayBeVisible(intersect({box.min - margin, box.max + margin}, domain_));
     }
+    const Box3& domain() const { return domain_; }
 
 private:
-    Vec3 place(Index3 units) const { return box_.min + Vec3(units) * unit_; }
-
-    Found boxes() const {
-        Found found = coarsest();
-        Found all;
-        std::swap(all.affine, found.affine);
-        for (int size = kUnits / 2; size >= 2 && !found.ragged.empty(); size /= 2) {
-            const std::vector<BoxCell> halved = std::exchange(found.ragged, {});
-            found = halves(halved, size);
-            all.affine.insert(all.affine.end(), found.affine.begin(), found.affine.end());
+    /// Whole cells: from the corners alone those are left out that cannot be near anything visible.
+    void decideCells(const std::vector<Vec3>& x, std::size_t begin, std::size_t end, Found& to) const {
+        std::vector<std::uint32_t> asked;
+        std::vector<Vec3> places;
+        for (std::size_t n = begin; n < end; ++n) {
+            Box3 hull;
+            for (const std::uint32_t v : base_.cells[n]) hull = join(hull, x[v]);
+            const double margin = 0.5 * largestOf(hull.max - hull.min);
+            if (std::isfinite(margin) && !visible(hull, margin)) continue;
+            asked.push_back(std::uint32_t(n));
+            for (int m = 0; m < 27; ++m)
+                places.push_back(within(base_.q, base_.cells[n], kUnits / 2 * Index3(m % 3, m / 3 % 3, m / 9)));
         }
-        all.ragged = std::move(found.ragged);
-        return all;
+        way_.toIndex(places, places);
+        for (std::size_t n = 0; n < asked.size(); ++n) {
+            Nodes at;
+            std::copy_n(places.begin() + std::ptrdiff_t(27 * n), 27, at.begin());
+            decide(at, {asked[n], Index3(0), kUnits, {}, 0}, to);
+        }
     }
 
-    Found coarsest() const {
-        if (count_.x == 0) return {};
-        const Index3 nodes = 2 * count_ + 1;
-        std::vector<Vec3> x(std::size_t(nodes.x) * std::size_t(nodes.y) * std::size_t(nodes.z));
-        const std::size_t row = std::size_t(nodes.x);
-        parallelFor(x.size() / row, 16, [&](std::size_t begin, std::size_t end) {
-            const std::span<Vec3> part = std::span(x).subspan(begin * row, (end - begin) * row);
-            for (std::size_t n = 0; n < part.size(); ++n) {
-                const std::size_t line = begin + n / row;
-                part[n] = place(kUnits / 2 * Index3(n % row, line % std::size_t(nodes.y), line / std::size_t(nodes.y)));
-            }
-            way_.toIndex(part, part);
-        });
-        const auto columns = std::size_t(count_.x), lines = std::size_t(count_.y);
-        const auto decideAll = [&](std::size_t begin, std::size_t end, Found& to) {
-            Nodes at;
-            for (std::size_t n = begin; n < end; ++n) {
-                const Index3 cell(n % columns, n / columns % lines, n / (columns * lines));
-                for (int k = 0; k < 3; ++k)
-                    for (int j = 0; j < 3; ++j)
-                        for (int i = 0; i < 3; ++i) {
-                            const Index3 node = 2 * cell + Index3(i, j, k);
-                            at[nodeAt(i, j, k)] =
-                                x[std::size_t(node.x) +
-                                  row * (std::size_t(node.y) + std::size_t(nodes.y) * std::size_t(node.z))];
-                        }
-                decide(at, kUnits * cell, kUnits, to);
-            }
-        };
-        return joined(inParts<Found>(columns * lines * std::size_t(count_.z), 64, decideAll));
-    }
-
-    /// The eight parts of each of `boxes`.
-    Found halves(const std::vector<BoxCell>& boxes, int size) const {
-        constexpr std::size_t kGrain = 8, kNodes = 125;
-        const auto decideAll = [&](std::size_t begin, std::size_t end, Found& to) {
-            std::array<Vec3, kGrain * kNodes> x;
-            for (std::size_t n = begin; n < end; ++n)
-                for (std::size_t m = 0; m < kNodes; ++m)
-                    x[(n - begin) * kNodes + m] = place(boxes[n].first + size / 2 * Index3(m % 5, m / 5 % 5, m / 25));
-            const std::span<Vec3> part = std::span(x).first((end - begin) * kNodes);
-            way_.toIndex(part, part);
-            Nodes at;
-            for (std::size_t n = begin; n < end; ++n)
-                for (int child = 0; child < 8; ++child) {
-                    const Index3 corner(child & 1, child >> 1 & 1, child >> 2);
-                    for (int k = 0; k < 3; ++k)
-                        for (int j = 0; j < 3; ++j)
-                            for (int i = 0; i < 3; ++i) {
-                                const Index3 node = 2 * corner + Index3(i, j, k);
-                                at[nodeAt(i, j, k)] =
-                                    part[(n - begin) * kNodes + std::size_t(node.x + 5 * (node.y + 5 * node.z))];
-                            }
-                    decide(at, boxes[n].first + size * corner, size, to);
+    /// The eight halves of parts twice as large.
+    void decideHalves(std::span<const Part> parts, int size, Found& to) const {
+        constexpr std::size_t kNodes = 125;
+        std::vector<Vec3> places;
+        for (const Part& part : parts)
+            for (int m = 0; m < int(kNodes); ++m)
+                places.push_back(
+                    within(base_.q, base_.cells[part.cell], part.first + size / 2 * Index3(m % 5, m / 5 % 5, m / 25)));
+        way_.toIndex(places, places);
+        Nodes at;
+        for (std::size_t n = 0; n < parts.size(); ++n)
+            for (int c = 0; c < 8; ++c) {
+                for (int m = 0; m < 27; ++m) {
+                    const Index3 node = 2 * cornerOf(c) + Index3(m % 3, m / 3 % 3, m / 9);
+                    at[std::size_t(m)] = places[n * kNodes + std::size_t(node.x + 5 * (node.y + 5 * node.z))];
                 }
-        };
-        return joined(inParts<Found>(boxes.size(), kGrain, decideAll));
+                decide(at, {parts[n].cell, parts[n].first + size * cornerOf(c), size, {}, 0}, to);
+            }
     }
 
-    void decide(const Nodes& x, Index3 first, int size, Found& to) const {
-        BoxCell cell{first, size, {}, 0};
-        const Kind kind = kindOf(x, cell);
+    void decide(const Nodes& x, Part part, Found& to) const {
+        const Kind kind = kindOf(x, part);
         if (kind == Kind::Empty) return;
-        for (int c = 0; c < 8; ++c) cell.x[std::size_t(c)] = x[nodeAt(2 * (c & 1), 2 * (c >> 1 & 1), 2 * (c >> 2))];
-        (kind == Kind::Affine ? to.affine : to.ragged).push_back(cell);
+        for (int c = 0; c < 8; ++c) {
+            const Index3 corner = 2 * cornerOf(c);
+            part.x[std::size_t(c)] = x[nodeAt(corner.x, corner.y, corner.z)];
+        }
+        (kind == Kind::Affine ? to.affine : to.ragged).push_back(part);
     }
 
-    Kind kindOf(const Nodes& x, BoxCell& cell) const {
+    Kind kindOf(const Nodes& x, Part& part) const {
         Box3 hull;
         int defined = 0;
         for (const Vec3& at : x)
@@ -188,121 +222,148 @@ private:
                 hull = join(hull, at);
                 ++defined;
             }
-        if (defined == 0) {
-            // What is smaller than the distance of the coarsest places may hide between them.
-            const Box3 box{place(cell.first), place(cell.first + cell.size)};
-            return cell.size == kUnits && mayBeVisible(*way_.term, box) ? Kind::Ragged : Kind::Empty;
-        }
+        if (defined == 0) return part.size == kUnits && mayHide(part) ? Kind::Ragged : Kind::Empty;
         const bool whole = defined == int(x.size());
-        cell.error = whole ? errorOf(x) : 0;
-        const double margin = 0.01 + (whole ? 2 * cell.error : 4 * largestStep(x));
-        if (!skip_.mayBeVisible(intersect({hull.min - margin, hull.max + margin}, domain_))) return Kind::Empty;
-        return whole && cell.error <= kTolerance ? Kind::Affine : Kind::Ragged;
+        part.error = whole ? errorOf(x) : 0;
+        if (!visible(hull, 0.01 + (whole ? 2 * part.error : 4 * largestStep(x)))) return Kind::Empty;
+        return whole && part.error <= kTolerance ? Kind::Affine : Kind::Ragged;
     }
 
-    /// How far the maps are from what lies between the corners along the tetrahedra's edges: at their middles.
-    static double errorOf(const Nodes& x) {
-        double error = 0;
-        for (int k = 0; k < 3; ++k)
-            for (int j = 0; j < 3; ++j)
-                for (int i = 0; i < 3; ++i) {
-                    if (i != 1 && j != 1 && k != 1) continue;
-                    const auto end = [&](int to) {
-                        return x[nodeAt(i == 1 ? to : i, j == 1 ? to : j, k == 1 ? to : k)];
-                    };
-                    error = std::max(error, largestOf(x[nodeAt(i, j, k)] - 0.5 * (end(0) + end(2))));
-                }
-        return error;
+    /// Whether something smaller than the distance of a whole cell's places may hide between them.
+    bool mayHide(const Part& part) const {
+        Box3 box;
+        for (const std::uint32_t v : base_.cells[part.cell]) box = join(box, base_.p[v]);
+        return mayBeVisible(*way_.term, box);
     }
 
-    /// The largest step between neighbours of which both are defined.
-    static double largestStep(const Nodes& x) {
-        double step = 0;
-        for (int k = 0; k < 3; ++k)
-            for (int j = 0; j < 3; ++j)
-                for (int i = 0; i < 3; ++i) {
-                    const Vec3& at = x[nodeAt(i, j, k)];
-                    const auto look = [&](const Vec3& other) {
-                        const double length = largestOf(other - at);
-                        if (std::isfinite(length)) step = std::max(step, length);
-                    };
-                    if (i < 2) look(x[nodeAt(i + 1, j, k)]);
-                    if (j < 2) look(x[nodeAt(i, j + 1, k)]);
-                    if (k < 2) look(x[nodeAt(i, j, k + 1)]);
-                }
-        return step;
+    const CellWay& way_;
+    const Base& base_;
+    const SkipGrid& skip_;
+    Box3 domain_;
+};
+
+/// Makes packets' cells of parts.
+class PartCells {
+public:
+    PartCells(const CellWay& way, const Base& base, const ChainCells& chain) : way_(way), base_(base), chain_(chain) {
+        Box3 bounds;
+        for (const Vec3& p : base.p) bounds = join(bounds, p);
+        result_.origin = bounds.empty() ? Vec3(0) : bounds.center();
     }
 
-    std::size_t vertexIndex(Index3 units) const {
-        const Index3 node = units / 2, nodes = kUnits / 2 * count_ + 1;
-        return std::size_t(node.x) +
-               std::size_t(nodes.x) * (std::size_t(node.y) + std::size_t(nodes.y) * std::size_t(node.z));
+    PacketCells cells(const Found& found, bool turned) {
+        append(found.affine, true);
+        result_.firstRagged = std::uint32_t(result_.cells.size());
+        append(found.ragged, false);
+        if (turned) turn();
+        return std::move(result_);
     }
 
-    static Index3 cornerOf(const BoxCell& cell, int c) {
-        return cell.first + cell.size * Index3(c & 1, c >> 1 & 1, c >> 2);
-    }
-
-    /// Gives the boxes' corners numbers and places.
-    void number(const Found& found, PacketCells& result) {
-        if (found.affine.empty() && found.ragged.empty()) return;
-        const Index3 nodes = kUnits / 2 * count_ + 1;
-        vertices_.assign(std::size_t(nodes.x) * std::size_t(nodes.y) * std::size_t(nodes.z), ~0U);
-        for (const auto* boxes : {&found.affine, &found.ragged})
-            for (const BoxCell& cell : *boxes)
-                for (int c = 0; c < 8; ++c) {
-                    const Index3 corner = cornerOf(cell, c);
-                    std::uint32_t& vertex = vertices_[vertexIndex(corner)];
-                    if (vertex != ~0U) continue;
-                    vertex = std::uint32_t(result.position.size());
-                    result.position.push_back(place(corner));
-                }
-    }
-
-    /// The tetrahedra of `boxes` that can be seen.
-    void append(const std::vector<BoxCell>& boxes, bool affine, PacketCells& result) const {
-        const auto parts =
-            inParts<PacketCells>(boxes.size(), 128, [&](std::size_t begin, std::size_t end, PacketCells& to) {
-                for (std::size_t n = begin; n < end; ++n) appendBox(boxes[n], affine, result, to);
+private:
+    /// The six tetrahedra of each part, without those that show nothing.
+    void append(std::vector<Part> parts, bool affine) {
+        std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.cell < b.cell; });
+        std::vector<std::array<std::uint32_t, 8>> vertices;
+        vertices.reserve(parts.size());
+        for (const Part& part : parts) vertices.push_back(verticesOf(part));
+        const auto portions =
+            inPortions<PacketCells>(parts.size(), 128, [&](std::size_t begin, std::size_t end, PacketCells& to) {
+                for (std::size_t n = begin; n < end; ++n) appendPart(parts[n], vertices[n], affine, to);
             });
-        for (const PacketCells& part : parts) {
-            result.cells.insert(result.cells.end(), part.cells.begin(), part.cells.end());
-            result.corners.insert(result.corners.end(), part.corners.begin(), part.corners.end());
-            result.beyond.insert(result.beyond.end(), part.beyond.begin(), part.beyond.end());
+        for (const PacketCells& portion : portions) {
+            result_.cells.insert(result_.cells.end(), portion.cells.begin(), portion.cells.end());
+            result_.corners.insert(result_.corners.end(), portion.corners.begin(), portion.corners.end());
+            result_.beyond.insert(result_.beyond.end(), portion.beyond.begin(), portion.beyond.end());
         }
     }
 
-    void appendBox(const BoxCell& box, bool affine, const PacketCells& places, PacketCells& to) const {
+    /// Numbers of a part's corners, shared by the parts of a cell.
+    std::array<std::uint32_t, 8> verticesOf(const Part& part) {
+        if (part.cell != cell_) numbers_.fill(~0U);
+        cell_ = part.cell;
+        std::array<std::uint32_t, 8> result{};
+        for (int c = 0; c < 8; ++c) {
+            const Index3 units = part.first + part.size * cornerOf(c), at = units / 2;
+            std::uint32_t& number = numbers_[std::size_t(at.x + kSide * (at.y + kSide * at.z))];
+            if (number == ~0U) {
+                number = std::uint32_t(result_.position.size());
+                const auto& corners = base_.cells[part.cell];
+                result_.position.push_back(within(base_.p, corners, units));
+                q_.push_back(within(base_.q, corners, units));
+                if (!base_.jacobian.empty()) result_.outer.push_back(within(base_.jacobian, corners, units));
+            }
+            result[std::size_t(c)] = number;
+        }
+        return result;
+    }
+
+    void appendPart(const Part& part, const std::array<std::uint32_t, 8>& vertices, bool affine,
+                    PacketCells& to) const {
         for (const auto& t : kHexahedronTetrahedra) {
             std::array<std::uint32_t, 4> corners{};
             std::array<Vec3, 4> p, x;
             Box3 hull;
             for (std::size_t v = 0; v < 4; ++v) {
-                corners[v] = vertices_[vertexIndex(cornerOf(box, t[v]))];
-                p[v] = places.position[corners[v]] - places.origin;
-                x[v] = affine ? box.x[std::size_t(t[v])] : p[v];
+                corners[v] = vertices[std::size_t(t[v])];
+                p[v] = result_.position[corners[v]] - result_.origin;
+                x[v] = affine ? part.x[std::size_t(t[v])] : q_[corners[v]];
                 hull = join(hull, x[v]);
             }
-            const double margin = 2 * box.error;
-            if (affine && !skip_.mayBeVisible(intersect({hull.min - margin, hull.max + margin}, domain_))) continue;
+            if (flat(p) || (affine && !chain_.visible(hull, 0.01 + 2 * part.error))) continue;
             to.cells.push_back(packetCell(p, x));
             to.corners.push_back(corners);
-            to.beyond.push_back(affine ? sidesBeyond(hull, domain_) : std::uint8_t(0));
+            to.beyond.push_back(affine ? sidesBeyond(hull, chain_.domain()) : std::uint8_t(0));
         }
     }
 
+    static bool flat(const std::array<Vec3, 4>& p) {
+        const Vec3 a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
+        const double longest = std::max({glm::length(a), glm::length(b), glm::length(c)});
+        return !(std::abs(glm::dot(glm::cross(a, b), c)) > 1e-9 * longest * longest * longest);
+    }
+
+    void turn() {
+        result_.turn.resize(q_.size());
+        parallelFor(q_.size(), 256, [&](std::size_t begin, std::size_t end) {
+            const std::size_t count = end - begin;
+            way_.turns(std::span(q_).subspan(begin, count),
+                       result_.outer.empty() ? std::span<const Mat3>() : std::span(result_.outer).subspan(begin, count),
+                       std::span(result_.turn).subspan(begin, count));
+        });
+    }
+
+    static constexpr int kSide = kUnits / 2 + 1;
     const CellWay& way_;
-    const SkipGrid& skip_;
-    Box3 domain_, box_;
-    Index3 count_{0};
-    Vec3 unit_{0};
-    std::vector<std::uint32_t> vertices_;  // numbers of the corners that boxes have
+    const Base& base_;
+    const ChainCells& chain_;
+    PacketCells result_;
+    std::vector<Vec3> q_;       // of the vertices
+    std::uint32_t cell_ = ~0U;  // whose corners have …
+    std::array<std::uint32_t, std::size_t(kSide* kSide* kSide)> numbers_{};
 };
+
+/// Boxes over the bounds of what is shown.
+MappedCells::Data boxes(const Box3& bounds) {
+    const Vec3 extent = bounds.size();
+    const double side = std::max({extent.x, extent.y, extent.z}) / kCoarsest;
+    if (bounds.empty() || !(std::min({extent.x, extent.y, extent.z}) > 0) || !std::isfinite(side)) return {};
+    return gridCells(frameOf(bounds),
+                     glm::clamp(Index3(glm::ceil(extent / side - 0.01)), Index3(1), Index3(kCoarsest)));
+}
 
 }  // namespace
 
 PacketCells chainCells(const CellWay& way, const VolumeLook& look, bool turned) {
-    return ChainCells(way, look).cells(turned);
+    MappedCells::Data data;
+    Base base;
+    if (const MappedCells* cells = way.outerCells()) {
+        base = {cells->deformed(), cells->source(), cells->jacobians(), cells->hexahedra()};
+    } else {
+        data = boxes(way.term->bounds);
+        base = {data.deformed, data.source, {}, data.hexahedra};
+    }
+    const ChainCells chain(way, look, base);
+    return PartCells(way, base, chain).cells(chain.parts(), turned);
 }
 
 }  // namespace voledit

@@ -153,10 +153,7 @@ public:
         for (Real& c : color_) c = hn::Zero(F());
         for (Real& c : atBin_) c = hn::Zero(F());
         findBrick(positionAt(u_));
-        while (true) {
-            stride();
-            if (hn::AllFalse(F(), active_)) break;
-            sample();
+        while (advance()) {
         }
         for (std::size_t c = 0; c < 3; ++c) hn::Store(color_[c], F(), packet_.color[c].data());
         hn::Store(transmittance_, F(), packet_.transmittance.data());
@@ -179,8 +176,7 @@ private:
         // Fewer bricks than a float counts.
         const Real at = hn::Add(brick_[0], hn::Mul(real(float(skip_.count.x)),
                                                    hn::Add(brick_[1], hn::Mul(real(float(skip_.count.y)), brick_[2]))));
-        const auto* bytes = reinterpret_cast<const std::int32_t*>(skip_.distance.data());
-        distance_ = hn::And(hn::GatherOffset(I(), bytes, wholeOf(at)), whole(0xff));
+        distance_ = bytesAt(skip_.distance.data(), placesOf(wholeOf(at)));
     }
 
     /// Where the ray leaves the bricks that are known to be empty about its own; ≥ u.
@@ -195,24 +191,32 @@ private:
         return hn::Sub(until, real(kShort));
     }
 
-    /// Passes what is empty: samples keep their places, those that are left out would have had opacity 0.
-    void stride() {
-        Mask empty = hn::And(active_, hn::RebindMask(F(), hn::Gt(distance_, whole(0))));
-        while (!hn::AllFalse(F(), empty)) {
-            const Real until = emptyUntil();
+    /// Takes a sample of each lane at its next place, or passes what is empty; false when all rays have ended. Samples
+    /// keep their places: those that are left out would have had opacity 0.
+    HWY_INLINE bool advance() {
+        Real to = hn::IfThenElse(visited_, hn::Add(hn::Floor(u_), real(1)), u_);
+        const Mask empty = hn::And(active_, hn::RebindMask(F(), hn::Gt(distance_, whole(0))));
+        if (!hn::AllFalse(F(), empty)) {
+            const Real until = emptyUntil(), target = hn::Floor(until);
             const Mask over = hn::And(empty, hn::Ge(until, lanes_.end));
-            const Real target = hn::IfThenElse(over, lanes_.end, hn::Floor(until));
-            const Mask moved = hn::Or(over, hn::And(empty, hn::Gt(target, u_)));
-            if (hn::AllFalse(F(), moved)) break;
-            u_ = hn::IfThenElse(moved, target, u_);
-            visited_ = hn::AndNot(moved, visited_);
-            have_ = hn::AndNot(moved, have_);
-            if (!hn::AllFalse(F(), over)) takeNext(over);
-            const Mask on = hn::And(moved, active_);
-            if (hn::AllFalse(F(), on)) break;
-            findBrick(positionAt(u_));
-            empty = hn::And(on, hn::RebindMask(F(), hn::Gt(distance_, whole(0))));
+            const Mask passed = hn::Or(over, hn::And(empty, hn::Gt(target, u_)));
+            to = hn::IfThenElse(passed, target, to);
+            visited_ = hn::AndNot(passed, visited_);
+            have_ = hn::AndNot(passed, have_);
+            if (!hn::AllFalse(F(), over)) {
+                u_ = hn::IfThenElse(over, lanes_.end, u_);
+                takeNext(over);
+                if (hn::AllFalse(F(), active_)) return false;
+                to = hn::IfThenElse(over, u_, to);
+            }
+            if (hn::AllFalse(F(), hn::AndNot(passed, active_))) {
+                u_ = to;
+                findBrick(positionAt(u_));
+                return true;
+            }
         }
+        sample(to);
+        return !hn::AllFalse(F(), active_);
     }
 
     /// Lanes go on to where their next piece begins, or end.
@@ -239,13 +243,11 @@ private:
         return load(u.data());
     }
 
-    /// Takes a sample of each lane at its next place, and adds the stretch that it ends.
-    HWY_INLINE void sample() {
-        Real to = hn::IfThenElse(visited_, hn::Add(hn::Floor(u_), real(1)), u_);
+    /// Takes a sample of each lane at `to`, and adds the stretch that it ends.
+    HWY_INLINE void sample(Real to) {
         const Mask past = hn::And(active_, hn::Gt(to, lanes_.end));
         if (!hn::AllFalse(F(), past)) to = follow(past, to);
         const Real3 x = positionAt(to);
-        findBrick(x);
         const Real value = valueAt<Voxels>(access_, placeOf(x));
         packet_.samples += hn::CountTrue(F(), active_);
 
@@ -257,13 +259,19 @@ private:
         const Mask same = hn::And(have_, hn::RebindMask(F(), hn::Eq(bin, bin_)));
         // A value that does not change is taken to change by one bin.
         const Whole other = hn::IfThenElse(hn::RebindMask(I(), same), hn::Add(bin, whole(1)), bin);
-        const Real depth = hn::GatherIndex(F(), table_.depth.data(), other);
+        const Places entry = placesOf(other);
+        const Real depth = realsAt(table_.depth.data(), entry);
         const Real absorbed = hn::Sub(depth, depth_);
         const Mask visible = hn::And(stretch, hn::Ne(absorbed, hn::Zero(F())));
         if (!hn::AllFalse(F(), visible))
-            composite(visible, same, absorbed, other, to);
+            composite(visible, same, absorbed, entry, to);
         else
             knowsColor_ = hn::And(knowsColor_, have_);
+        // What is seen is in no empty brick.
+        if (hn::AllFalse(F(), hn::AndNot(visible, active_)))
+            distance_ = whole(0);
+        else
+            findBrick(x);
         depth_ = hn::IfThenElse(same, depth_, depth);
         bin_ = bin;
         have_ = defined;
@@ -288,16 +296,16 @@ private:
         distance_ = hn::IfThenElseZero(hn::Not(hn::RebindMask(I(), over)), distance_);
     }
 
-    HWY_INLINE void composite(Mask visible, Mask same, Real absorbed, Whole other, Real to) {
+    HWY_INLINE void composite(Mask visible, Mask same, Real absorbed, const Places& other, Real to) {
         const Mask asks = hn::And(visible, hn::Not(knowsColor_));
         const float* colors = table_.color.data();
         if (!hn::AllFalse(F(), asks)) {
-            const Whole at = hn::ShiftLeft<2>(bin_);
-            for (int c = 0; c < 3; ++c)
-                atBin_[c] = hn::IfThenElse(knowsColor_, atBin_[c], hn::GatherIndex(F(), colors + c, at));
+            Real before[3];
+            triplesAt(colors, placesOf(bin_), before);
+            for (int c = 0; c < 3; ++c) atBin_[c] = hn::IfThenElse(knowsColor_, atBin_[c], before[c]);
         }
         const Real zero = hn::Zero(F()), one = real(1);
-        const Real change = hn::ConvertTo(F(), hn::Sub(other, bin_));
+        const Real change = hn::ConvertTo(F(), hn::Sub(other.index, bin_));
         const Real inverse = hn::Div(one, hn::IfThenElse(visible, hn::Mul(change, absorbed), one));
         const Real length = hn::Sub(to, u_);
         // depth = absorbed / change · length; mean colour = glow / absorbed.
@@ -305,12 +313,11 @@ private:
         const Real through = exp2(hn::Mul(depth, real(-1.44269504F)));
         const Real weight = hn::IfThenElseZero(visible, hn::Mul(transmittance_, hn::Sub(one, through)));
         const Real perDepth = hn::Mul(change, inverse);
-        const Whole at = hn::ShiftLeft<2>(other);
-        Real mean[3];
+        Real glow[3], mean[3];
+        triplesAt(colors, other, glow);
         for (int c = 0; c < 3; ++c) {
-            const Real glow = hn::GatherIndex(F(), colors + c, at);
-            mean[c] = hn::Min(hn::Max(hn::Mul(hn::Sub(glow, atBin_[c]), perDepth), zero), one);
-            atBin_[c] = hn::IfThenElse(same, atBin_[c], glow);
+            mean[c] = hn::Min(hn::Max(hn::Mul(hn::Sub(glow[c], atBin_[c]), perDepth), zero), one);
+            atBin_[c] = hn::IfThenElse(same, atBin_[c], glow[c]);
         }
         knowsColor_ = all();
         if (volume_.light.shading) {

@@ -35,8 +35,11 @@ struct PacketCells {
     std::vector<std::uint8_t> beyond;
     std::array<float, 3> last{};  // the index of the domain's high sides
     Box3 bounds;                  // of the cells, in their space
-    /// From this one on, cells have no affine map: the pieces of rays within them must be found one by one.
+    /// From this one on, cells are ragged: there is no affine map through them to index space, and the pieces of rays
+    /// must be found one by one. `index` leads to where CellWay's inner maps go on.
     std::uint32_t firstRagged = ~0U;
+    /// The Jacobian of that way at each vertex; empty where it is the identity.
+    std::vector<Mat3> outer;
 
     /// `bounds`, when all cells are there.
     void findBounds();

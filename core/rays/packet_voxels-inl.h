@@ -10,7 +10,7 @@
 
 #include <hwy/highway.h>
 
-#include "core/rays/packet_math-inl.h"
+#include "core/rays/packet_gather-inl.h"
 #include "core/rays/packet_scene.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,19 +51,10 @@ struct Four {
     Real before, first, second, after;
 };
 
-// Each kind of voxel reads the pair at a value's index, and the four about it. Whole numbers come without `bias`.
+// Each kind of voxel reads the pair at a value's index and offset, and the four about it. Whole numbers come without
+// `bias`.
 
 struct Voxels8 {
-    /// Four bytes from each index on; `anywhere`: some may lie beyond the volume's end.
-    template <bool anywhere>
-    static HWY_INLINE Whole read(const VoxelAccess& s, Whole index) {
-        const auto* bytes = reinterpret_cast<const std::int32_t*>(s.voxels);
-        if constexpr (!anywhere) return hn::Xor(hn::GatherOffset(I(), bytes, index), whole(s.flip));
-        // The last bytes of the volume are reached from a place before.
-        const Whole at = hn::Min(index, whole(std::int32_t(s.bytes) - 4));
-        const Whole word = hn::GatherOffset(I(), bytes, at);
-        return hn::Xor(hn::Shr(word, hn::ShiftLeft<3>(hn::Sub(index, at))), whole(s.flip));
-    }
     /// Whether the pairs of the cells at `index` can be read without a look at the volume's end.
     static HWY_INLINE bool within(const VoxelAccess& s, Whole index) {
         const Whole last = whole(std::int32_t(s.bytes) - 4 - s.row - s.slice);
@@ -73,79 +64,79 @@ struct Voxels8 {
     static HWY_INLINE Real byte(Whole word) {
         return hn::ConvertTo(F(), hn::And(hn::ShiftRight<8 * n>(word), whole(0xff)));
     }
+    /// `anywhere`: some of the four bytes that are read may lie beyond the volume's end.
     template <bool anywhere = false>
-    static HWY_INLINE Pair pair(const VoxelAccess& s, Whole index) {
-        const Whole word = read<anywhere>(s, index);
+    static HWY_INLINE Pair pair(const VoxelAccess& s, const Places& at, std::ptrdiff_t offset) {
+        Whole word = whole(0);
+        if constexpr (anywhere) {
+            // The last bytes of the volume are reached from a place before.
+            const Whole index = hn::Add(at.index, whole(std::int32_t(offset)));
+            const Whole before = hn::Min(index, whole(std::int32_t(s.bytes) - 4));
+            word = hn::GatherOffset(I(), reinterpret_cast<const std::int32_t*>(s.voxels), before);
+            word = hn::Shr(word, hn::ShiftLeft<3>(hn::Sub(index, before)));
+        } else {
+            word = wordsAt<1>(s.voxels, at, offset);
+        }
+        word = hn::Xor(word, whole(s.flip));
         return {byte<0>(word), byte<1>(word)};
     }
-    static HWY_INLINE Four four(const VoxelAccess& s, Whole index) {
-        const Whole word = read<false>(s, hn::Sub(index, whole(1)));
+    static HWY_INLINE Four four(const VoxelAccess& s, const Places& at, std::ptrdiff_t offset) {
+        const Whole word = hn::Xor(wordsAt<1>(s.voxels, at, offset - 1), whole(s.flip));
         return {byte<0>(word), byte<1>(word), byte<2>(word), byte<3>(word)};
     }
 };
 
-struct Voxels16 {
+/// Kinds of which no read reaches beyond the volume's end.
+template <class Kind>
+struct WideVoxels {
     static HWY_INLINE bool within(const VoxelAccess&, Whole) { return true; }
+    static HWY_INLINE Four four(const VoxelAccess& s, const Places& at, std::ptrdiff_t offset) {
+        const Pair low = Kind::pair(s, at, offset - 1), high = Kind::pair(s, at, offset + 1);
+        return {low.first, low.second, high.first, high.second};
+    }
+};
+
+struct Voxels16 : WideVoxels<Voxels16> {
     template <bool anywhere = false>
-    static HWY_INLINE Pair pair(const VoxelAccess& s, Whole index) {
-        const auto* bytes = reinterpret_cast<const std::int32_t*>(s.voxels);
-        const Whole word = hn::Xor(hn::GatherOffset(I(), bytes, hn::ShiftLeft<1>(index)), whole(s.flip));
+    static HWY_INLINE Pair pair(const VoxelAccess& s, const Places& at, std::ptrdiff_t offset) {
+        const Whole word = hn::Xor(wordsAt<2>(s.voxels, at, offset), whole(s.flip));
         const auto high = hn::ShiftRight<16>(hn::BitCast(hn::RebindToUnsigned<I>(), word));
         return {hn::ConvertTo(F(), hn::And(word, whole(0xffff))), hn::ConvertTo(F(), hn::BitCast(I(), high))};
     }
-    static HWY_INLINE Four four(const VoxelAccess& s, Whole index) {
-        const Pair low = pair(s, hn::Sub(index, whole(1))), high = pair(s, hn::Add(index, whole(1)));
-        return {low.first, low.second, high.first, high.second};
+};
+
+struct VoxelsFloat : WideVoxels<VoxelsFloat> {
+    template <bool anywhere = false>
+    static HWY_INLINE Pair pair(const VoxelAccess& s, const Places& at, std::ptrdiff_t offset) {
+        return {hn::BitCast(F(), wordsAt<4>(s.voxels, at, offset)),
+                hn::BitCast(F(), wordsAt<4>(s.voxels, at, offset + 1))};
     }
 };
 
-struct VoxelsFloat {
-    static HWY_INLINE Real at(const VoxelAccess& s, Whole index) {
-        return hn::GatherIndex(F(), reinterpret_cast<const float*>(s.voxels), index);
-    }
-    static HWY_INLINE bool within(const VoxelAccess&, Whole) { return true; }
+struct Voxels32 : WideVoxels<Voxels32> {
     template <bool anywhere = false>
-    static HWY_INLINE Pair pair(const VoxelAccess& s, Whole index) {
-        return {at(s, index), at(s, hn::Add(index, whole(1)))};
-    }
-    static HWY_INLINE Four four(const VoxelAccess& s, Whole index) {
-        const Pair low = pair(s, hn::Sub(index, whole(1))), high = pair(s, hn::Add(index, whole(1)));
-        return {low.first, low.second, high.first, high.second};
-    }
-};
-
-struct Voxels32 {
-    static HWY_INLINE Real at(const VoxelAccess& s, Whole index) {
-        return hn::ConvertTo(F(), hn::GatherIndex(I(), reinterpret_cast<const std::int32_t*>(s.voxels), index));
-    }
-    static HWY_INLINE bool within(const VoxelAccess&, Whole) { return true; }
-    template <bool anywhere = false>
-    static HWY_INLINE Pair pair(const VoxelAccess& s, Whole index) {
-        return {at(s, index), at(s, hn::Add(index, whole(1)))};
-    }
-    static HWY_INLINE Four four(const VoxelAccess& s, Whole index) {
-        const Pair low = pair(s, hn::Sub(index, whole(1))), high = pair(s, hn::Add(index, whole(1)));
-        return {low.first, low.second, high.first, high.second};
+    static HWY_INLINE Pair pair(const VoxelAccess& s, const Places& at, std::ptrdiff_t offset) {
+        return {hn::ConvertTo(F(), wordsAt<4>(s.voxels, at, offset)),
+                hn::ConvertTo(F(), wordsAt<4>(s.voxels, at, offset + 1))};
     }
 };
 
 template <class Voxels, bool anywhere>
-HWY_INLINE Real interpolated(const VoxelAccess& s, const Place& p, Whole at) {
-    const auto row = [&](Whole index) HWY_ATTR {
-        const Pair pair = Voxels::template pair<anywhere>(s, index);
+HWY_INLINE Real interpolated(const VoxelAccess& s, const Place& p, const Places& at) {
+    const auto row = [&](std::ptrdiff_t offset) HWY_ATTR {
+        const Pair pair = Voxels::template pair<anywhere>(s, at, offset);
         return lerp(pair.first, pair.second, p.u);
     };
-    const Whole next = whole(s.row), above = hn::Add(at, whole(s.slice));
-    const Real low = lerp(row(at), row(hn::Add(at, next)), p.v);
-    const Real high = lerp(row(above), row(hn::Add(above, next)), p.v);
+    const Real low = lerp(row(0), row(s.row), p.v);
+    const Real high = lerp(row(s.slice), row(s.slice + s.row), p.v);
     return lerp(low, high, p.w);
 }
 
 /// The trilinear value, without `bias`.
 template <class Voxels>
 HWY_INLINE Real valueAt(const VoxelAccess& s, const Place& p) {
-    const Whole at = indexOf(s, p);
-    if (HWY_LIKELY(Voxels::within(s, at))) return interpolated<Voxels, false>(s, p, at);
+    const Places at = placesOf(indexOf(s, p));
+    if (HWY_LIKELY(Voxels::within(s, at.index))) return interpolated<Voxels, false>(s, p, at);
     return interpolated<Voxels, true>(s, p, at);
 }
 
@@ -157,29 +148,27 @@ HWY_INLINE Real3 innerDifferences(const VoxelAccess& s, const Place& p) {
     inner.i = hn::Min(hn::Max(p.i, whole(1)), whole(s.size[0] - 3));
     inner.j = hn::Min(hn::Max(p.j, whole(1)), whole(s.size[1] - 3));
     inner.k = hn::Min(hn::Max(p.k, whole(1)), whole(s.size[2] - 3));
-    const Whole at = indexOf(s, inner), row = whole(s.row), slice = whole(s.slice);
+    const Places at = placesOf(indexOf(s, inner));
+    const std::ptrdiff_t row = s.row, slice = s.slice;
     Real slope[2][2], value[2][2];
     for (int k = 0; k < 2; ++k)
         for (int j = 0; j < 2; ++j) {
-            const Whole index = hn::Add(at, whole(j * s.row + k * s.slice));
-            const Four v = Voxels::four(s, index);
+            const Four v = Voxels::four(s, at, j * row + k * slice);
             slope[k][j] = hn::Sub(lerp(v.second, v.after, p.u), lerp(v.before, v.first, p.u));
             value[k][j] = lerp(v.first, v.second, p.u);
         }
-    const auto outer = [&](Whole index) HWY_ATTR {
-        const Pair pair = Voxels::pair(s, index);
+    const auto outer = [&](std::ptrdiff_t offset) HWY_ATTR {
+        const Pair pair = Voxels::pair(s, at, offset);
         return lerp(pair.first, pair.second, p.u);
     };
     // Along j: rows −1 and 2 of both slices; along k: both rows of slices −1 and 2.
     Real alongJ[2], alongK[2];
     for (int k = 0; k < 2; ++k) {
-        const Whole base = hn::Add(at, whole(k * s.slice));
-        const Real before = outer(hn::Sub(base, row)), after = outer(hn::Add(base, whole(2 * s.row)));
+        const Real before = outer(k * slice - row), after = outer(k * slice + 2 * row);
         alongJ[k] = hn::Sub(lerp(value[k][1], after, p.v), lerp(before, value[k][0], p.v));
     }
     for (int j = 0; j < 2; ++j) {
-        const Whole base = hn::Add(at, whole(j * s.row));
-        const Real before = outer(hn::Sub(base, slice)), after = outer(hn::Add(base, whole(2 * s.slice)));
+        const Real before = outer(j * row - slice), after = outer(j * row + 2 * slice);
         alongK[j] = hn::Sub(lerp(value[1][j], after, p.w), lerp(before, value[0][j], p.w));
     }
     const Real half = real(0.5F);

@@ -27,31 +27,58 @@ void RaggedPieces::clear() {
     pieces_.clear();
     maps_.clear();
     middles_.clear();
+    outer_.clear();
 }
 
-void RaggedPieces::add(const Piece& stretch, const std::array<float, 3>& base, const std::array<float, 3>& along) {
-    const auto ray = std::uint32_t(rays_.size());
-    rays_.push_back({Vec3(base[0], base[1], base[2]), Vec3(along[0], along[1], along[2])});
+void RaggedPieces::add(const CellLook& look, const Piece& stretch, std::uint32_t cell, const std::array<float, 3>& base,
+                       const std::array<float, 3>& along) {
+    const auto number = std::uint32_t(rays_.size());
+    Ray ray{{}, {}, Vec3(base[0], base[1], base[2]), Vec3(along[0], along[1], along[2]), cell};
+    const auto& map = look.cells.cells[cell].index;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto turned = [&](const Vec3& v) {
+            return double(map[0][a]) * v.x + double(map[1][a]) * v.y + double(map[2][a]) * v.z;
+        };
+        ray.start[int(a)] = turned(ray.base) + double(map[3][a]);
+        ray.step[int(a)] = turned(ray.along);
+    }
+    rays_.push_back(ray);
     const int parts = std::max(1, int(std::ceil((stretch.end - stretch.begin) / kLongest)));
     for (int n = 0; n < parts; ++n) {
         const auto cut = [&](int at) {
             return at == parts ? stretch.end : stretch.begin + (stretch.end - stretch.begin) * float(at) / float(parts);
         };
-        open_.push_back({{stretch.pixel, cut(n), cut(n + 1)}, ray, kUndefined, kUndefined, kUndefined});
+        open_.push_back({{stretch.pixel, cut(n), cut(n + 1)}, number, kUndefined, kUndefined, kUndefined});
     }
 }
 
-Vec3 RaggedPieces::placeOn(const CellLook& look, const Stretch& stretch, double part) const {
+Vec3 RaggedPieces::placeOn(const Stretch& stretch, double part) const {
     const Ray& ray = rays_[stretch.ray];
     const double u = double(stretch.piece.begin) + part * (double(stretch.piece.end) - double(stretch.piece.begin));
-    return look.cells.origin + ray.base + u * ray.along;
+    return ray.start + u * ray.step;
+}
+
+Mat3 RaggedPieces::outerAt(const CellLook& look, const Stretch& stretch, double part) const {
+    const Ray& ray = rays_[stretch.ray];
+    const double u = double(stretch.piece.begin) + part * (double(stretch.piece.end) - double(stretch.piece.begin));
+    const Vec3 p = ray.base + u * ray.along;
+    const auto& plane = look.cells.cells[ray.cell].plane;
+    Mat3 sum(0);
+    double weights = 0;
+    for (std::size_t v = 0; v < 4; ++v) {
+        const double weight = std::max(0.0, double(plane[0][v]) * p.x + double(plane[1][v]) * p.y +
+                                                double(plane[2][v]) * p.z + double(plane[3][v]));
+        sum += weight * look.cells.outer[look.cells.corners[ray.cell][v]];
+        weights += weight;
+    }
+    return weights > 0 ? sum / weights : Mat3(1);
 }
 
 void RaggedPieces::mapEnds(const CellLook& look) {
     points_.resize(2 * open_.size());
     for (std::size_t n = 0; n < open_.size(); ++n) {
-        points_[2 * n] = placeOn(look, open_[n], 0);
-        points_[2 * n + 1] = placeOn(look, open_[n], 1);
+        points_[2 * n] = placeOn(open_[n], 0);
+        points_[2 * n + 1] = placeOn(open_[n], 1);
     }
     look.way.toIndex(points_, points_);
     for (std::size_t n = 0; n < open_.size(); ++n) {
@@ -62,7 +89,7 @@ void RaggedPieces::mapEnds(const CellLook& look) {
 
 void RaggedPieces::mapMiddles(const CellLook& look) {
     points_.resize(open_.size());
-    for (std::size_t n = 0; n < open_.size(); ++n) points_[n] = placeOn(look, open_[n], 0.5);
+    for (std::size_t n = 0; n < open_.size(); ++n) points_[n] = placeOn(open_[n], 0.5);
     look.way.toIndex(points_, points_);
     for (std::size_t n = 0; n < open_.size(); ++n) open_[n].middle = points_[n];
 }
@@ -116,12 +143,13 @@ void RaggedPieces::keep(const CellLook& look, const Stretch& s) {
     }
     pieces_.push_back(piece);
     maps_.push_back(map);
-    middles_.push_back(placeOn(look, s, 0.5 * (from + to)));
+    middles_.push_back(placeOn(s, 0.5 * (from + to)));
+    if (!look.cells.outer.empty()) outer_.push_back(outerAt(look, s, 0.5 * (from + to)));
 }
 
 void RaggedPieces::turn(const CellLook& look) {
     turns_.resize(middles_.size());
-    look.way.turns(middles_, turns_);
+    look.way.turns(middles_, outer_, turns_);
     for (std::size_t n = 0; n < maps_.size(); ++n) maps_[n].turn = turns_[n];
 }
 

@@ -20,8 +20,10 @@ public:
 
     /// Forgets all pieces.
     void clear();
-    /// Appends the stretch of a pixel's ray, which passes base + u · along, from the origin of `look`'s cells.
-    void add(const Piece& stretch, const std::array<float, 3>& base, const std::array<float, 3>& along);
+    /// Appends the stretch, in ragged cell `cell` of `look`, of a pixel's ray, which passes base + u · along in cell
+    /// space.
+    void add(const CellLook& look, const Piece& stretch, std::uint32_t cell, const std::array<float, 3>& base,
+             const std::array<float, 3>& along);
     /// Finds the pieces of what was added since clear().
     void find(const CellLook& look);
 
@@ -37,10 +39,13 @@ private:
         Vec3 first, middle, last;  // index space
     };
     struct Ray {
-        Vec3 base, along;
+        Vec3 start, step;  // where the inner maps go on from: start + u · step
+        Vec3 base, along;  // in cell space
+        std::uint32_t cell;
     };
 
-    Vec3 placeOn(const CellLook& look, const Stretch& stretch, double part) const;
+    Vec3 placeOn(const Stretch& stretch, double part) const;
+    Mat3 outerAt(const CellLook& look, const Stretch& stretch, double part) const;
     void mapEnds(const CellLook& look);
     void mapMiddles(const CellLook& look);
     void halve(const CellLook& look);
@@ -51,7 +56,8 @@ private:
     std::vector<Stretch> open_, next_;
     std::vector<Piece> pieces_;
     std::vector<OwnPiece> maps_;
-    std::vector<Vec3> middles_;  // of the pieces, in the space of the deformed cells
+    std::vector<Vec3> middles_;  // of the pieces, where the inner maps go on from …
+    std::vector<Mat3> outer_;    // … and the Jacobians there
     std::vector<Vec3> points_;
     std::vector<GradientTurn> turns_;
 };

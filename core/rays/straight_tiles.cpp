@@ -9,6 +9,7 @@
 #include "core/rays/packet_light.h"
 #include "core/rays/packet_picture.h"
 #include "core/rays/picture_rays.h"
+#include "core/rays/straight_rays.h"
 #include "core/rays/tile_caster.h"
 
 namespace voledit {
@@ -41,56 +42,41 @@ public:
     }
 
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {
-        std::uint64_t samples = 0;
+        const StraightRays rays = raysFrom(first);
         const Index2 shape = packetShape();
-        for (int y = first.y; y < end.y; y += shape.y)
-            for (int x = first.x; x < end.x; x += shape.x)
-                samples += castAt(picture, {x, y}, glm::min(Index2(x, y) + shape, end), shape);
-        return samples;
-    }
-
-private:
-    std::uint64_t castAt(Picture& picture, Index2 first, Index2 end, Index2 shape) const {
         RayPacket packet;
         std::array<CellHit, RayPacket::kMost> hits;
-        bool any = false;
-        forPixels(first, first, end, shape, [&](int x, int y, std::size_t lane) {
-            if (!setUp(x, y, hits[lane], packet, lane)) return;
-            packet.hits[lane] = std::span(&hits[lane], 1);
-            any = true;
-        });
-        packet.transmittance.fill(1);
-        if (any) castPacket(volume_, packet);
-        forPixels(first, first, end, shape,
-                  [&](int x, int y, std::size_t lane) { picture.at(x, y) = pixelOf(packet, lane, background_); });
+        for (int y = first.y; y < end.y; y += shape.y)
+            for (int x = first.x; x < end.x; x += shape.x) {
+                if (!setUpStraight(rays, Index2(x, y) - first, packet, hits)) {
+                    forPixels({x, y}, first, end, shape,
+                              [&](int px, int py, std::size_t) { picture.at(px, py) = Vec4f(background_, 0); });
+                    continue;
+                }
+                castPacket(volume_, packet);
+                forPixels({x, y}, first, end, shape, [&](int px, int py, std::size_t lane) {
+                    picture.at(px, py) = pixelOf(packet, lane, background_);
+                });
+            }
         return packet.samples;
     }
 
-    /// The piece of the ray of pixel (x, y) within the volume; false where it meets nothing visible.
-    bool setUp(int x, int y, CellHit& hit, RayPacket& packet, std::size_t lane) const {
-        const Vec3 direction = origin_ + double(x) * right_ + double(y) * down_;
-        double near = 0, far = kInfinity, nearVisible = 0, farVisible = kInfinity;
-        for (int a = 0; a < 3; ++a) {
-            const double inverse = 1 / (direction[a] == 0 ? 1e-300 : direction[a]);
-            const auto cut = [&](const Box3& box, double& from, double& to) {
-                const double one = (box.min[a] - eye_[a]) * inverse, other = (box.max[a] - eye_[a]) * inverse;
-                from = std::max(from, std::min(one, other));
-                to = std::min(to, std::max(one, other));
-            };
-            cut(domain_, near, far);
-            cut(visible_, nearVisible, farVisible);
-        }
-        if (!(near < far) || !(nearVisible <= farVisible)) return false;
-        const Vec3 world = world_.direction(x, y);
-        const double inverseLength = 1 / glm::length(world), step = step_ * inverseLength;
-        hit.begin = std::max(0.F, std::floor(static_cast<float>((nearVisible - near) / step)));
-        hit.end = static_cast<float>((far - near) / step);
-        for (int a = 0; a < 3; ++a) {
-            packet.base[std::size_t(a)][lane] = static_cast<float>(eye_[a] + near * direction[a]);
-            packet.along[std::size_t(a)][lane] = static_cast<float>(step * direction[a]);
-            packet.toEye[std::size_t(a)][lane] = static_cast<float>(-world[a] * inverseLength);
-        }
-        return true;
+private:
+    StraightRays raysFrom(Index2 pixel) const {
+        const auto single = [](const Vec3& v) {
+            return StraightRays::Numbers{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+        };
+        const Vec3 at = origin_ + double(pixel.x) * right_ + double(pixel.y) * down_;
+        StraightRays rays;
+        rays.eye = single(eye_);
+        rays.index = {single(at), single(right_), single(down_)};
+        rays.world = {single(world_.direction(pixel.x, pixel.y)), single(world_.right), single(world_.down)};
+        rays.domainMin = single(domain_.min);
+        rays.domainMax = single(domain_.max);
+        rays.visibleMin = single(visible_.min);
+        rays.visibleMax = single(visible_.max);
+        rays.step = static_cast<float>(step_);
+        return rays;
     }
 
     std::shared_ptr<const VolumeLook> look_;
