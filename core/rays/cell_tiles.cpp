@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
 
 #include "core/rays/cell_bins.h"
 #include "core/rays/cell_raster.h"
@@ -127,20 +129,35 @@ private:
             }
         }
         ragged.find(*look_);
-        for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
-            const std::span<CellHit> of = hits.of(pixel);
-            const auto end =
-                std::remove_if(of.begin(), of.end(), [&](const CellHit& hit) { return hit.cell >= first; });
-            hits.shorten(pixel, of.first(std::size_t(end - of.begin())));
+        putInPlace(ragged, hits);
+    }
+
+    /// Takes ragged cells' hits out, and their pieces in.
+    void putInPlace(const RaggedPieces& ragged, HitLists& hits) const {
+        const std::span<const RaggedPieces::Piece> pieces = ragged.pieces();
+        std::vector<std::uint32_t> order(pieces.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair(pieces[a].pixel, pieces[a].begin) < std::pair(pieces[b].pixel, pieces[b].begin);
+        });
+        std::vector<CellHit> merged;
+        auto next = order.begin();
+        for (std::uint32_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
+            merged.clear();
+            const auto takeBefore = [&](float begin) {
+                for (; next != order.end() && pieces[*next].pixel == pixel && pieces[*next].begin < begin; ++next)
+                    merged.push_back({pieces[*next].begin, pieces[*next].end, kOwnPiece + *next});
+            };
+            for (const CellHit& hit : hits.of(pixel)) {
+                if (hit.cell >= look_->cells.firstRagged) continue;
+                takeBefore(hit.begin);
+                merged.push_back(hit);
+            }
+            takeBefore(std::numeric_limits<float>::infinity());
+            hits.shorten(pixel, {});
+            for (const CellHit& hit : merged) hits.add(pixel, hit);
+            hits.shorten(pixel, orderedPieces(hits.of(pixel)));
         }
-        std::array<bool, TileRays::kPixels> changed{};
-        for (std::size_t n = 0; n < ragged.pieces().size(); ++n) {
-            const RaggedPieces::Piece& piece = ragged.pieces()[n];
-            hits.add(piece.pixel, {piece.begin, piece.end, kOwnPiece + std::uint32_t(n)});
-            changed[piece.pixel] = true;
-        }
-        for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel)
-            if (changed[pixel]) hits.shorten(pixel, orderedPieces(hits.of(pixel)));
     }
 
     struct Ray {

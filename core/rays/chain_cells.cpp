@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -40,7 +41,12 @@ struct Base {
 template <class T>
 T within(std::span<const T> values, const std::array<std::uint32_t, 8>& cell, Index3 units) {
     std::array<int, 3> axes{0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return units[a] > units[b]; });
+    const auto order = [&](std::size_t a, std::size_t b) {
+        if (units[axes[b]] > units[axes[a]]) std::swap(axes[a], axes[b]);
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
     T result = values[cell[0]];
     std::size_t corner = 0;
     for (const int axis : axes) {
@@ -76,10 +82,12 @@ struct Part {
 /// Parts found by one portion of the work.
 struct Found {
     std::vector<Part> affine, ragged;
+    std::vector<Nodes> nodes;  // of the ragged ones
 
     void append(const Found& other) {
         affine.insert(affine.end(), other.affine.begin(), other.affine.end());
         ragged.insert(ragged.end(), other.ragged.begin(), other.ragged.end());
+        nodes.insert(nodes.end(), other.nodes.begin(), other.nodes.end());
     }
 };
 
@@ -95,6 +103,14 @@ std::vector<Result> inPortions(std::size_t count, std::size_t grain, const Body&
 
 Found joined(const std::vector<Found>& portions) {
     Found all;
+    std::size_t affine = 0, ragged = 0;
+    for (const Found& portion : portions) {
+        affine += portion.affine.size();
+        ragged += portion.ragged.size();
+    }
+    all.affine.reserve(affine);
+    all.ragged.reserve(ragged);
+    all.nodes.reserve(ragged);
     for (const Found& portion : portions) all.append(portion);
     return all;
 }
@@ -143,14 +159,23 @@ public:
         });
         Found found =
             joined(inPortions<Found>(base_.cells.size(), 32, [&](std::size_t begin, std::size_t end, Found& to) {
-                decideCells(x, begin, end, to);
+                Asked asked;
+                for (std::size_t n = begin; n < end; ++n) {
+                    Nodes at;
+                    for (int c = 0; c < 8; ++c) at[cornerNode(c)] = x[base_.cells[n][std::size_t(c)]];
+                    ask({std::uint32_t(n), Index3(0), kUnits, {}, 0}, at, asked);
+                }
+                decide(asked, to);
             }));
         std::vector<Part> affine = std::move(found.affine);
         for (int size = kUnits / 2; size >= 2 && !found.ragged.empty(); size /= 2) {
-            const std::vector<Part> halved = std::exchange(found.ragged, {});
-            found = joined(inPortions<Found>(halved.size(), 8, [&](std::size_t begin, std::size_t end, Found& to) {
-                decideHalves(std::span(halved).subspan(begin, end - begin), size, to);
-            }));
+            const Found halved = std::exchange(found, {});
+            found =
+                joined(inPortions<Found>(halved.ragged.size(), 8, [&](std::size_t begin, std::size_t end, Found& to) {
+                    Asked asked;
+                    for (std::size_t n = begin; n < end; ++n) askHalves(halved.ragged[n], halved.nodes[n], asked);
+                    decide(asked, to);
+                }));
             affine.insert(affine.end(), found.affine.begin(), found.affine.end());
         }
         found.affine = std::move(affine);
@@ -163,55 +188,57 @@ public:
     const Box3& domain() const { return domain_; }
 
 private:
-    /// Whole cells: from the corners alone those are left out that cannot be near anything visible.
-    void decideCells(const std::vector<Vec3>& x, std::size_t begin, std::size_t end, Found& to) const {
-        std::vector<std::uint32_t> asked;
+    /// Parts whose corners are known; the places at their middles stand in `places`, part after part.
+    struct Asked {
+        std::vector<Part> parts;
+        std::vector<Nodes> nodes;
         std::vector<Vec3> places;
-        for (std::size_t n = begin; n < end; ++n) {
-            Box3 hull;
-            for (const std::uint32_t v : base_.cells[n]) hull = join(hull, x[v]);
-            const double margin = 0.5 * largestOf(hull.max - hull.min);
-            if (std::isfinite(margin) && !visible(hull, margin)) continue;
-            asked.push_back(std::uint32_t(n));
-            for (int m = 0; m < 27; ++m)
-                places.push_back(within(base_.q, base_.cells[n], kUnits / 2 * Index3(m % 3, m / 3 % 3, m / 9)));
-        }
-        way_.toIndex(places, places);
-        for (std::size_t n = 0; n < asked.size(); ++n) {
-            Nodes at;
-            std::copy_n(places.begin() + std::ptrdiff_t(27 * n), 27, at.begin());
-            decide(at, {asked[n], Index3(0), kUnits, {}, 0}, to);
-        }
-    }
+    };
+    static constexpr std::size_t cornerNode(int c) { return nodeAt(2 * (c & 1), 2 * (c >> 1 & 1), 2 * (c >> 2)); }
+    static bool isCorner(std::size_t node) { return node % 3 != 1 && node / 3 % 3 != 1 && node / 9 != 1; }
 
-    /// The eight halves of parts twice as large.
-    void decideHalves(std::span<const Part> parts, int size, Found& to) const {
-        constexpr std::size_t kNodes = 125;
-        std::vector<Vec3> places;
-        for (const Part& part : parts)
-            for (int m = 0; m < int(kNodes); ++m)
-                places.push_back(
-                    within(base_.q, base_.cells[part.cell], part.first + size / 2 * Index3(m % 5, m / 5 % 5, m / 25)));
-        way_.toIndex(places, places);
-        Nodes at;
-        for (std::size_t n = 0; n < parts.size(); ++n)
-            for (int c = 0; c < 8; ++c) {
-                for (int m = 0; m < 27; ++m) {
-                    const Index3 node = 2 * cornerOf(c) + Index3(m % 3, m / 3 % 3, m / 9);
-                    at[std::size_t(m)] = places[n * kNodes + std::size_t(node.x + 5 * (node.y + 5 * node.z))];
-                }
-                decide(at, {parts[n].cell, parts[n].first + size * cornerOf(c), size, {}, 0}, to);
-            }
-    }
-
-    void decide(const Nodes& x, Part part, Found& to) const {
-        const Kind kind = kindOf(x, part);
-        if (kind == Kind::Empty) return;
+    /// Asks for a part's middles, unless its corners tell that it cannot be near anything visible.
+    void ask(const Part& part, const Nodes& corners, Asked& asked) const {
+        Box3 hull;
+        bool whole = true;
         for (int c = 0; c < 8; ++c) {
-            const Index3 corner = 2 * cornerOf(c);
-            part.x[std::size_t(c)] = x[nodeAt(corner.x, corner.y, corner.z)];
+            whole &= finite(corners[cornerNode(c)]);
+            hull = join(hull, corners[cornerNode(c)]);
         }
-        (kind == Kind::Affine ? to.affine : to.ragged).push_back(part);
+        if (whole && !visible(hull, 0.5 * largestOf(hull.max - hull.min))) return;
+        asked.parts.push_back(part);
+        asked.nodes.push_back(corners);
+        for (std::size_t m = 0; m < 27; ++m)
+            if (!isCorner(m))
+                asked.places.push_back(within(base_.q, base_.cells[part.cell],
+                                              part.first + part.size / 2 * Index3(m % 3, m / 3 % 3, m / 9)));
+    }
+    void askHalves(const Part& part, const Nodes& x, Asked& asked) const {
+        for (int half = 0; half < 8; ++half) {
+            Nodes corners;
+            for (int c = 0; c < 8; ++c) {
+                const Index3 node = cornerOf(half) + cornerOf(c);
+                corners[cornerNode(c)] = x[nodeAt(node.x, node.y, node.z)];
+            }
+            const int size = part.size / 2;
+            ask({part.cell, part.first + size * cornerOf(half), size, {}, 0}, corners, asked);
+        }
+    }
+
+    void decide(Asked& asked, Found& to) const {
+        way_.toIndex(asked.places, asked.places);
+        std::size_t next = 0;
+        for (std::size_t n = 0; n < asked.parts.size(); ++n) {
+            Nodes& x = asked.nodes[n];
+            for (std::size_t m = 0; m < x.size(); ++m)
+                if (!isCorner(m)) x[m] = asked.places[next++];
+            Part& part = asked.parts[n];
+            const Kind kind = kindOf(x, part);
+            if (kind == Kind::Empty) continue;
+            for (int c = 0; c < 8; ++c) part.x[std::size_t(c)] = x[cornerNode(c)];
+            (kind == Kind::Affine ? to.affine : to.ragged).push_back(part);
+            if (kind == Kind::Ragged) to.nodes.push_back(x);
+        }
     }
 
     Kind kindOf(const Nodes& x, Part& part) const {
@@ -225,7 +252,7 @@ private:
         if (defined == 0) return part.size == kUnits && mayHide(part) ? Kind::Ragged : Kind::Empty;
         const bool whole = defined == int(x.size());
         part.error = whole ? errorOf(x) : 0;
-        if (!visible(hull, 0.01 + (whole ? 2 * part.error : 4 * largestStep(x)))) return Kind::Empty;
+        if (!visible(hull, 0.01 + (whole ? 2 * part.error : 2 * largestStep(x)))) return Kind::Empty;
         return whole && part.error <= kTolerance ? Kind::Affine : Kind::Ragged;
     }
 
@@ -261,11 +288,13 @@ public:
 
 private:
     /// The six tetrahedra of each part, without those that show nothing.
-    void append(std::vector<Part> parts, bool affine) {
-        std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.cell < b.cell; });
-        std::vector<std::array<std::uint32_t, 8>> vertices;
-        vertices.reserve(parts.size());
-        for (const Part& part : parts) vertices.push_back(verticesOf(part));
+    void append(const std::vector<Part>& parts, bool affine) {
+        std::vector<std::uint32_t> order(parts.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return parts[a].cell < parts[b].cell; });
+        std::vector<std::array<std::uint32_t, 8>> vertices(parts.size());
+        for (const std::uint32_t n : order) vertices[n] = verticesOf(parts[n]);
         const auto portions =
             inPortions<PacketCells>(parts.size(), 128, [&](std::size_t begin, std::size_t end, PacketCells& to) {
                 for (std::size_t n = begin; n < end; ++n) appendPart(parts[n], vertices[n], affine, to);

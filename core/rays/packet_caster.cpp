@@ -25,22 +25,15 @@ constexpr float kFaint = 5e-5F;
 class Lanes {
 public:
     Lanes(const PacketVolume& volume, const RayPacket& packet) : cells_(volume.cells), packet_(packet) {
-        for (std::size_t l = 0; l < hn::Lanes(F()); ++l) {
-            next_[l] = 0;
-            begin_[l] = end_[l] = 0;
-            for (std::size_t a = 0; a < 3; ++a) start_[a][l] = step_[a][l] = inverse_[a][l] = 0;
-            if (take(l)) alive_ |= 1U << l;
+        begin = end = hn::Zero(F());
+        for (std::size_t a = 0; a < 3; ++a) {
+            start[a] = load(packet.base[a].data());
+            step[a] = load(packet.along[a].data());
+            const Mask moves = hn::Ne(step[a], hn::Zero(F()));
+            inverse[a] = hn::IfThenElse(moves, hn::Div(real(1), hn::IfThenElse(moves, step[a], real(1))), real(1e30F));
         }
-        if (!cells_)
-            for (std::size_t a = 0; a < 3; ++a) {
-                const Real along = load(packet.along[a].data());
-                const Mask moves = hn::Ne(along, hn::Zero(F()));
-                start[a] = load(packet.base[a].data());
-                step[a] = along;
-                inverse[a] =
-                    hn::IfThenElse(moves, hn::Div(real(1), hn::IfThenElse(moves, along, real(1))), real(1e30F));
-            }
-        reload();
+        for (std::size_t l = 0; l < hn::Lanes(F()); ++l)
+            if (take(l)) alive_ |= 1U << l;
     }
 
     Real start[3], step[3], begin, end;
@@ -58,42 +51,30 @@ public:
     bool take(std::size_t l) {
         if (next_[l] == packet_.hits[l].size()) return false;
         const CellHit& hit = packet_.hits[l][next_[l]++];
-        begin_[l] = hit.begin;
         end_[l] = hit.end;
         cell_[l] = hit.cell;
-        if (cells_) enter(l);
+        const Mask lane = hn::RebindMask(F(), hn::Eq(hn::Iota(I(), 0), whole(std::int32_t(l))));
+        set(begin, lane, hit.begin);
+        set(end, lane, hit.end);
+        if (cells_) enter(l, lane);
         return true;
     }
-    /// Moves lane l on to the piece that u lies on, as far as pieces touch; gives u, or where the run ends before it.
-    float follow(std::size_t l, float u) {
+    /// Moves lane l on to the piece that u lies on, as far as pieces touch; false where the run ends before it.
+    bool follow(std::size_t l, float u) {
         while (u > end_[l]) {
-            if (!touchesNext(l)) return end_[l];
+            if (!touchesNext(l)) return false;
             take(l);
         }
-        return u;
+        return true;
     }
     bool touchesNext(std::size_t l) const {
         const auto& hits = packet_.hits[l];
         return next_[l] < hits.size() && hits[next_[l]].begin <= end_[l] + kTouching;
     }
-    float beginOf(std::size_t l) const { return begin_[l]; }
-    float endOf(std::size_t l) const { return end_[l]; }
-
-    /// After pieces were taken.
-    HWY_INLINE void reload() {
-        if (cells_)
-            for (std::size_t a = 0; a < 3; ++a) {
-                start[a] = load(start_[a].data());
-                step[a] = load(step_[a].data());
-                inverse[a] = load(inverse_[a].data());
-            }
-        begin = load(begin_.data());
-        end = load(end_.data());
-    }
 
 private:
     /// Takes lane l's ray through the map of its cell.
-    HWY_INLINE void enter(std::size_t l) {
+    HWY_INLINE void enter(std::size_t l, Mask lane) {
         Quad from, along;
         if (const OwnPiece* piece = own(l); HWY_UNLIKELY(piece != nullptr)) {
             from = quad(piece->start);
@@ -108,23 +89,22 @@ private:
         }
         const Quad perStep = along != 0 ? 1 / along : Quad{1e30F, 1e30F, 1e30F, 1e30F};
         for (std::size_t a = 0; a < 3; ++a) {
-            start_[a][l] = from[a];
-            step_[a][l] = along[a];
-            inverse_[a][l] = perStep[a];
+            set(start[a], lane, from[a]);
+            set(step[a], lane, along[a]);
+            set(inverse[a], lane, perStep[a]);
         }
     }
+    /// By blending: a vector that is stored number by number cannot be loaded at once.
+    static HWY_INLINE void set(Real& vector, Mask lane, float value) {
+        vector = hn::IfThenElse(lane, real(value), vector);
+    }
 
-    using Floats = std::array<float, RayPacket::kMost>;
     const PacketCells* cells_;
     const RayPacket& packet_;
     std::array<std::size_t, RayPacket::kMost> next_{};
     std::array<std::uint32_t, RayPacket::kMost> cell_{};
+    std::array<float, RayPacket::kMost> end_{};
     std::uint32_t alive_ = 0;
-    alignas(64) std::array<Floats, 3> start_;
-    alignas(64) std::array<Floats, 3> step_;
-    alignas(64) std::array<Floats, 3> inverse_;
-    alignas(64) Floats begin_;
-    alignas(64) Floats end_;
 };
 
 template <class Voxels>
@@ -221,26 +201,23 @@ private:
 
     /// Lanes go on to where their next piece begins, or end.
     HWY_NOINLINE void takeNext(Mask which) {
-        alignas(64) std::array<float, RayPacket::kMost> u;
-        hn::Store(u_, F(), u.data());
         std::uint32_t ended = 0;
-        forLanes(bitsOf(which), [&](std::size_t l) {
-            if (lanes_.take(l))
-                u[l] = std::max(u[l], lanes_.beginOf(l));
-            else
-                ended |= 1U << l;
+        forLanes(bitsOf(which), [&](std::size_t l) HWY_ATTR {
+            if (!lanes_.take(l)) ended |= 1U << l;
         });
-        u_ = load(u.data());
+        u_ = hn::IfThenElse(which, hn::Max(u_, lanes_.begin), u_);
         active_ = hn::AndNot(maskOf(ended), active_);
-        lanes_.reload();
     }
 
+    /// Moves lanes on to the pieces that they reach at `to`; gives that, or where their runs end before it.
     HWY_NOINLINE Real follow(Mask which, Real to) {
         alignas(64) std::array<float, RayPacket::kMost> u;
         hn::Store(to, F(), u.data());
-        forLanes(bitsOf(which), [&](std::size_t l) { u[l] = lanes_.follow(l, u[l]); });
-        lanes_.reload();
-        return load(u.data());
+        std::uint32_t before = 0;
+        forLanes(bitsOf(which), [&](std::size_t l) HWY_ATTR {
+            if (!lanes_.follow(l, u[l])) before |= 1U << l;
+        });
+        return before ? hn::IfThenElse(maskOf(before), lanes_.end, to) : to;
     }
 
     /// Takes a sample of each lane at `to`, and adds the stretch that it ends.

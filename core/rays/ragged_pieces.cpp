@@ -105,12 +105,25 @@ void RaggedPieces::halve(const CellLook& look) {
             continue;
         }
         const Piece& p = s.piece;
-        if (p.end - p.begin < kShortest) continue;
+        if (p.end - p.begin < kShortest || !maySee(look, s)) continue;
         const float half = 0.5F * (p.begin + p.end);
         next_.push_back({{p.pixel, p.begin, half}, s.ray, s.first, kUndefined, s.middle});
         next_.push_back({{p.pixel, half, p.end}, s.ray, s.middle, kUndefined, s.last});
     }
     std::swap(open_, next_);
+}
+
+/// False where what lies about a stretch shows nothing.
+bool RaggedPieces::maySee(const CellLook& look, const Stretch& s) {
+    Box3 hull;
+    for (const Vec3& x : {s.first, s.middle, s.last})
+        if (finite(x)) hull = join(hull, x);
+    // Within a continuous part the end of it lies no further from a place that is known than that from the next.
+    double reach = 8 * double(s.piece.end - s.piece.begin);
+    for (const Vec3& x : {s.first, s.last})
+        if (finite(x) && finite(s.middle)) reach = std::max(reach, largestOf(x - s.middle));
+    const Box3 domain = look.look->volumeTerm().volume->grid().indexDomain();
+    return look.look->skip.mayBeVisible(intersect({hull.min - reach, hull.max + reach}, domain));
 }
 
 void RaggedPieces::keep(const CellLook& look, const Stretch& s) {

@@ -49,6 +49,7 @@ private:
     void mapEnds(const CellLook& look);
     void mapMiddles(const CellLook& look);
     void halve(const CellLook& look);
+    static bool maySee(const CellLook& look, const Stretch& stretch);
     void keep(const CellLook& look, const Stretch& stretch);
     void turn(const CellLook& look);
 
