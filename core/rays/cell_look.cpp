@@ -16,7 +16,7 @@ class Sources {
 public:
     Sources(const CellWay& way, const VolumeLook& look)
         : cells_(*way.by.front()->cells()),
-          skip_(look.skip),
+          skip_(look.skip()),
           domain_(look.volumeTerm().volume->grid().indexDomain()),
           index_(cells_.source().size()) {
         for (std::size_t v = 0; v < index_.size(); ++v)
@@ -124,18 +124,26 @@ GradientTurn CellWay::turnOf(const Mat3& jacobian) const {
     return gradientTurn(glm::transpose(Mat3(indexFromRest) * jacobian * Mat3(cellsFromWorld)));
 }
 
-std::shared_ptr<const CellLook> cellLook(const CellWay& way, std::shared_ptr<const VolumeLook> look, bool turned,
+std::shared_ptr<const CellLook> cellLook(const CellWay& way, std::shared_ptr<const VolumeLook> look, CellWish wish,
                                          const std::shared_ptr<const CellLook>& previous) {
-    if (previous && previous->look == look && previous->turned >= turned && previous->way == way) return previous;
     auto result = std::make_shared<CellLook>();
+    if (previous && previous->look->grid == look->grid && previous->turned >= wish.turned &&
+        previous->rough <= wish.rough && previous->way == way) {
+        if (previous->look == look) return previous;
+        *result = *previous;
+        result->look = std::move(look);
+        return result;
+    }
     result->way = way;
     result->look = std::move(look);
-    result->turned = turned;
-    result->cells =
-        way.isMappedCells() ? mappedCells(way, *result->look, turned) : chainCells(way, *result->look, turned);
+    result->turned = wish.turned;
+    result->rough = wish.rough && !way.isMappedCells();
+    PacketCells cells =
+        way.isMappedCells() ? mappedCells(way, *result->look, wish.turned) : chainCells(way, *result->look, wish);
     for (int a = 0; a < 3; ++a)
-        result->cells.last[std::size_t(a)] = float(result->look->volumeTerm().volume->grid().size[a] - 1);
-    result->cells.findBounds();
+        cells.last[std::size_t(a)] = float(result->look->volumeTerm().volume->grid().size[a] - 1);
+    cells.findBounds();
+    result->packed = std::make_shared<const PacketCells>(std::move(cells));
     return result;
 }
 

@@ -41,12 +41,21 @@ struct CellLook {
     CellWay way;
     std::shared_ptr<const VolumeLook> look;
     bool turned = false;  // whether gradients' turns are known
-    PacketCells cells;
+    bool rough = false;   // whether maps are followed less closely than pictures at rest ask for
+    std::shared_ptr<const PacketCells> packed;
+
+    const PacketCells& cells() const { return *packed; }
 };
 
-/// The look on `way`, for shading if `turned`; `previous` (may be null) if that is it. In parallel; some 2 ms for 16³
-/// mapped cells.
-std::shared_ptr<const CellLook> cellLook(const CellWay& way, std::shared_ptr<const VolumeLook> look, bool turned,
+/// What a picture asks of a look.
+struct CellWish {
+    bool turned = false;  // it is shaded
+    bool rough = false;   // something moves: a fast edit counts for more than the tenth of a voxel
+};
+
+/// The look on `way`; `previous` (may be null) if that is it, and with its cells where only the step changed. In
+/// parallel; some 2 ms for 16³ mapped cells.
+std::shared_ptr<const CellLook> cellLook(const CellWay& way, std::shared_ptr<const VolumeLook> look, CellWish wish,
                                          const std::shared_ptr<const CellLook>& previous);
 
 }  // namespace voledit

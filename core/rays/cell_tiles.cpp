@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/eval/surroundings.h"
 #include "core/rays/cell_bins.h"
 #include "core/rays/cell_raster.h"
 #include "core/rays/packet_light.h"
@@ -29,18 +30,19 @@ class CellTiles final : public TileCaster {
 public:
     CellTiles(const CompiledScene& scene, Index2 size, std::shared_ptr<const CellLook> look)
         : look_(std::move(look)),
+          surroundings_(scene),
           world_(scene.camera, size),
           perStep_(1 / scene.stepLength()),
           background_(scene.render.background) {
         const Mat4& cellsFromWorld = look_->way.cellsFromWorld;
         view_ = {transformPoint(cellsFromWorld, world_.eye), transformVector(cellsFromWorld, world_.origin),
                  transformVector(cellsFromWorld, world_.right), transformVector(cellsFromWorld, world_.down)};
-        bins_ = makeCellBins(look_->cells, view_, size);
+        bins_ = makeCellBins(look_->cells(), view_, size);
         volume_.volume = look_->look->volumeTerm().volume.get();
         volume_.table = &look_->look->table;
-        volume_.skip = &look_->look->skip;
-        volume_.cells = &look_->cells;
-        volume_.light = packetLight(scene.render);
+        volume_.skip = &look_->look->skip();
+        volume_.cells = &look_->cells();
+        volume_.light = packetLight(scene, surroundings_);
     }
 
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {
@@ -60,7 +62,7 @@ private:
         rays.end = end;
         const Vec3 along = view_.forward + double(tile.x) * view_.right + double(tile.y) * view_.down;
         rays.along = {single(along), single(view_.right), single(view_.down)};
-        rays.base = {single(view_.eye - look_->cells.origin + bins_.nearest * along),
+        rays.base = {single(view_.eye - look_->cells().origin + bins_.nearest * along),
                      single(bins_.nearest * view_.right), single(bins_.nearest * view_.down)};
         for (int n = 0; n < kTile * kTile; ++n) {
             const Vec3 direction = world_.direction(tile.x + n % kTile, tile.y + n / kTile);
@@ -80,12 +82,12 @@ private:
         // Kept from tile to tile: fresh memory would cost as much as the rest.
         thread_local HitLists hits;
         hits.clear();
-        rasterCells(look_->cells, bins_, rays, hits);
+        rasterCells(look_->cells(), bins_, rays, hits);
         for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel)
             hits.shorten(pixel, orderedPieces(hits.of(pixel)));
         thread_local RaggedPieces ragged;
         ragged.clear();
-        if (look_->cells.firstRagged < look_->cells.cells.size()) findRagged(rays, hits, ragged);
+        if (look_->cells().firstRagged < look_->cells().cells.size()) findRagged(rays, hits, ragged);
         const Index2 shape = packetShape();
         std::uint64_t samples = 0;
         for (int y = first.y / shape.y * shape.y; y < end.y; y += shape.y)
@@ -112,7 +114,7 @@ private:
 
     /// Puts the pieces within ragged cells in these cells' place.
     void findRagged(const TileRays& rays, HitLists& hits, RaggedPieces& ragged) const {
-        const std::uint32_t first = look_->cells.firstRagged;
+        const std::uint32_t first = look_->cells().firstRagged;
         const bool joined = !look_->way.outerCells();
         for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
             const std::span<CellHit> of = hits.of(pixel);
@@ -149,7 +151,7 @@ private:
                     merged.push_back({pieces[*next].begin, pieces[*next].end, kOwnPiece + *next});
             };
             for (const CellHit& hit : hits.of(pixel)) {
-                if (hit.cell >= look_->cells.firstRagged) continue;
+                if (hit.cell >= look_->cells().firstRagged) continue;
                 takeBefore(hit.begin);
                 merged.push_back(hit);
             }
@@ -181,11 +183,15 @@ private:
             packet.base[a][lane] = ray.base[a];
             packet.along[a][lane] = ray.along[a];
         }
-        const Vec3 toEye = glm::normalize(-world_.direction(rays.first.x + at.x, rays.first.y + at.y));
+        const Vec3 direction = world_.direction(rays.first.x + at.x, rays.first.y + at.y);
+        const double length = glm::length(direction);
+        packet.distance[lane] = static_cast<float>(bins_.nearest * length);
+        const Vec3 toEye = -direction / length;
         for (int a = 0; a < 3; ++a) packet.toEye[std::size_t(a)][lane] = static_cast<float>(toEye[a]);
     }
 
     std::shared_ptr<const CellLook> look_;
+    Surroundings surroundings_;
     PictureRays world_;
     CellView view_;
     CellBins bins_;

@@ -19,7 +19,7 @@ constexpr int kCoarsest = 16;           // boxes along the longest side of the b
 constexpr int kHalvings = 2;            // … and how often boxes and cells may be halved
 constexpr int kUnits = 2 << kHalvings;  // places in a cell are counted in half sides of the smallest parts
 // Of the maps' interpolation, voxels: found at the middles of edges, between which it may be a little larger.
-constexpr double kTolerance = 0.1;
+constexpr double kTolerance = 0.1, kRoughTolerance = 0.5;
 
 bool finite(const Vec3& v) {
     return std::isfinite(v.x + v.y + v.z);
@@ -148,8 +148,13 @@ double largestStep(const Nodes& x) {
 
 class ChainCells {
 public:
-    ChainCells(const CellWay& way, const VolumeLook& look, const Base& base)
-        : way_(way), base_(base), skip_(look.skip), domain_(look.volumeTerm().volume->grid().indexDomain()) {}
+    ChainCells(const CellWay& way, const VolumeLook& look, const Base& base, bool rough)
+        : way_(way),
+          base_(base),
+          tolerance_(rough ? kRoughTolerance : kTolerance),
+          smallest_(rough ? kUnits / 2 : 2),
+          skip_(look.skip()),
+          domain_(look.volumeTerm().volume->grid().indexDomain()) {}
 
     /// Sorts all cells into affine and ragged parts.
     Found parts() const {
@@ -168,7 +173,7 @@ public:
                 decide(asked, to);
             }));
         std::vector<Part> affine = std::move(found.affine);
-        for (int size = kUnits / 2; size >= 2 && !found.ragged.empty(); size /= 2) {
+        for (int size = kUnits / 2; size >= smallest_ && !found.ragged.empty(); size /= 2) {
             const Found halved = std::exchange(found, {});
             found =
                 joined(inPortions<Found>(halved.ragged.size(), 8, [&](std::size_t begin, std::size_t end, Found& to) {
@@ -253,7 +258,7 @@ private:
         const bool whole = defined == int(x.size());
         part.error = whole ? errorOf(x) : 0;
         if (!visible(hull, 0.01 + (whole ? 2 * part.error : 2 * largestStep(x)))) return Kind::Empty;
-        return whole && part.error <= kTolerance ? Kind::Affine : Kind::Ragged;
+        return whole && part.error <= tolerance_ ? Kind::Affine : Kind::Ragged;
     }
 
     /// Whether something smaller than the distance of a whole cell's places may hide between them.
@@ -265,6 +270,8 @@ private:
 
     const CellWay& way_;
     const Base& base_;
+    double tolerance_;  // voxels
+    int smallest_;      // size of parts
     const SkipGrid& skip_;
     Box3 domain_;
 };
@@ -382,7 +389,7 @@ MappedCells::Data boxes(const Box3& bounds) {
 
 }  // namespace
 
-PacketCells chainCells(const CellWay& way, const VolumeLook& look, bool turned) {
+PacketCells chainCells(const CellWay& way, const VolumeLook& look, CellWish wish) {
     MappedCells::Data data;
     Base base;
     if (const MappedCells* cells = way.outerCells()) {
@@ -391,8 +398,8 @@ PacketCells chainCells(const CellWay& way, const VolumeLook& look, bool turned) 
         data = boxes(way.term->bounds);
         base = {data.deformed, data.source, {}, data.hexahedra};
     }
-    const ChainCells chain(way, look, base);
-    return PartCells(way, base, chain).cells(chain.parts(), turned);
+    const ChainCells chain(way, look, base, wish.rough);
+    return PartCells(way, base, chain).cells(chain.parts(), wish.turned);
 }
 
 }  // namespace voledit

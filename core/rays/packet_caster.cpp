@@ -1,5 +1,7 @@
 #include "core/rays/packet_caster.h"
 
+#include "core/eval/surroundings.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/rays/packet_caster.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
@@ -18,6 +20,8 @@ constexpr float kOpaque = 4e-4F;
 constexpr float kTouching = 1e-2F;
 // How far short of an empty region's end a stride stays, in steps: more than rounding makes of it.
 constexpr float kShort = 2e-3F;
+// Light is not followed anew for what contributes less; as the reference has it.
+constexpr float kSlight = 1 / 512.0F;
 // What contributes less is left unlit.
 constexpr float kFaint = 5e-5F;
 
@@ -299,7 +303,7 @@ private:
         knowsColor_ = all();
         if (volume_.light.shading) {
             const Mask lit = hn::And(visible, hn::Gt(weight, real(kFaint)));
-            if (!hn::AllFalse(F(), lit)) shade(lit, hn::Mul(real(0.5F), hn::Add(u_, to)), mean);
+            if (!hn::AllFalse(F(), lit)) shade(lit, hn::Mul(real(0.5F), hn::Add(u_, to)), weight, mean);
         }
         for (int c = 0; c < 3; ++c) color_[c] = hn::Add(color_[c], hn::Mul(weight, mean[c]));
         transmittance_ = hn::IfThenElse(visible, hn::Mul(transmittance_, through), transmittance_);
@@ -369,8 +373,8 @@ private:
         return {load(g[0].data()), load(g[1].data()), load(g[2].data())};
     }
 
-    /// Lights `color` where the gradient at u has a direction (camera.h).
-    HWY_INLINE void shade(Mask lit, Real u, Real* color) const {
+    /// Lights `color` where the gradient at u has a direction (core/scene/lighting.h).
+    HWY_INLINE void shade(Mask lit, Real u, Real weight, Real* color) {
         const PacketLight& light = volume_.light;
         Real3 g = gradient(lit, u);
         const Real largest = hn::Max(hn::Max(hn::Abs(g.x), hn::Abs(g.y)), hn::Abs(g.z));
@@ -378,26 +382,80 @@ private:
         // By the largest component first: squares of steep gradients overflow.
         const Real inverse = hn::Div(real(1), hn::IfThenElse(lit, largest, real(1)));
         g = {hn::Mul(g.x, inverse), hn::Mul(g.y, inverse), hn::Mul(g.z, inverse)};
-        const auto dot = [](const Real3& a, const Real3& b) HWY_ATTR {
-            return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-        };
         const Real3 toEye{load(packet_.toEye[0].data()), load(packet_.toEye[1].data()), load(packet_.toEye[2].data())};
         const Real steepness = hn::Sqrt(hn::IfThenElse(lit, dot(g, g), real(1)));
-        Real facing = hn::Abs(dot(g, toEye)), highlight = facing;
-        if (!light.head) {
-            const Real3 toLight{real(light.toLight[0]), real(light.toLight[1]), real(light.toLight[2])};
-            const Real3 between{hn::Add(toLight.x, toEye.x), hn::Add(toLight.y, toEye.y), hn::Add(toLight.z, toEye.z)};
-            const Real width = dot(between, between);
-            const Mask wide = hn::Gt(width, real(1e-12F));
-            facing = hn::Abs(dot(g, toLight));
-            highlight = hn::IfThenElseZero(
-                wide, hn::Div(hn::Abs(dot(g, between)), hn::Sqrt(hn::IfThenElse(wide, width, real(1)))));
+        if (HWY_UNLIKELY(light.surroundings != nullptr)) followLight(lit, u, weight);
+        Real spread, shine;
+        if (light.kind == Lights::Kind::Head) {
+            spread = hn::Div(hn::Abs(dot(g, toEye)), steepness);
+            shine = pow(hn::Min(spread, real(1)), light.shininess);
+        } else {
+            const Real inverseSteepness = hn::Div(real(1), steepness);
+            g = {hn::Mul(g.x, inverseSteepness), hn::Mul(g.y, inverseSteepness), hn::Mul(g.z, inverseSteepness)};
+            lightFromAfar(g, toEye, spread, shine);
         }
-        facing = hn::Div(facing, steepness);
-        highlight = hn::Min(hn::Div(highlight, steepness), real(1));
-        const Real spread = hn::Add(real(light.ambient), hn::Mul(real(light.diffuse), facing));
-        const Real shine = hn::Mul(real(light.specular), pow(highlight, light.shininess));
-        for (int c = 0; c < 3; ++c) color[c] = hn::IfThenElse(lit, hn::Add(hn::Mul(color[c], spread), shine), color[c]);
+        Real all = real(light.ambient);
+        if (HWY_UNLIKELY(light.surroundings != nullptr)) {
+            all = hn::Mul(all, load(share_[1].data()));
+            if (light.kind == Lights::Kind::Head) {
+                spread = hn::Mul(spread, load(share_[0].data()));
+                shine = hn::Mul(shine, load(share_[0].data()));
+            }
+        }
+        all = hn::Add(all, hn::Mul(real(light.diffuse), spread));
+        shine = hn::Mul(real(light.specular), shine);
+        for (int c = 0; c < 3; ++c) color[c] = hn::IfThenElse(lit, hn::Add(hn::Mul(color[c], all), shine), color[c]);
+    }
+
+    static HWY_INLINE Real dot(const Real3& a, const Real3& b) {
+        return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+    }
+
+    /// Sums of diffuse light and of highlights on a surface with unit normal n.
+    HWY_NOINLINE void lightFromAfar(Real3 n, const Real3& toEye, Real& spread, Real& shine) const {
+        const PacketLight& light = volume_.light;
+        const bool twoSided = light.kind == Lights::Kind::Fixed;
+        if (!twoSided) {
+            const Mask away = hn::Lt(dot(n, toEye), hn::Zero(F()));
+            const auto turned = [&](Real x) HWY_ATTR { return hn::IfThenElse(away, hn::Neg(x), x); };
+            n = {turned(n.x), turned(n.y), turned(n.z)};
+        }
+        const auto facing = [&](Real cosine) HWY_ATTR {
+            return hn::Min(twoSided ? hn::Abs(cosine) : hn::Max(cosine, hn::Zero(F())), real(1));
+        };
+        spread = shine = hn::Zero(F());
+        for (std::size_t l = 0; l < light.count; ++l) {
+            const PacketLight::Far& far = light.lights[l];
+            const Real3 toward{real(far.toward[0]), real(far.toward[1]), real(far.toward[2])};
+            const Real3 between{hn::Add(toward.x, toEye.x), hn::Add(toward.y, toEye.y), hn::Add(toward.z, toEye.z)};
+            const Real width = dot(between, between), lit = facing(dot(n, toward));
+            Mask high = hn::Gt(width, real(1e-12F));
+            if (!twoSided) high = hn::And(high, hn::Gt(lit, hn::Zero(F())));
+            const Real cosine = hn::Div(dot(n, between), hn::Sqrt(hn::IfThenElse(high, width, real(1))));
+            Real intensity = real(far.intensity);
+            if (l == 0 && light.surroundings) intensity = hn::Mul(intensity, load(share_[0].data()));
+            spread = hn::Add(spread, hn::Mul(intensity, lit));
+            shine = hn::Add(shine, hn::IfThenElseZero(high, hn::Mul(intensity, pow(facing(cosine), light.shininess))));
+        }
+    }
+
+    /// Finds anew what surroundings leave of the light at u, where that counts.
+    HWY_NOINLINE void followLight(Mask lit, Real u, Real weight) {
+        const PacketLight& light = volume_.light;
+        alignas(64) RayPacket::Lanes at, counts;
+        hn::Store(u, F(), at.data());
+        hn::Store(weight, F(), counts.data());
+        forLanes(bitsOf(lit), [&](std::size_t l) {
+            if ((shared_ >> l & 1U) && counts[l] <= kSlight) return;
+            shared_ |= 1U << l;
+            const Vec3 toEye(packet_.toEye[0][l], packet_.toEye[1][l], packet_.toEye[2][l]);
+            const Vec3 p = light.eye - (double(packet_.distance[l]) + double(at[l]) * light.step) * toEye;
+            const auto& first = light.lights[0].toward;
+            const Vec3 toward = light.kind == Lights::Kind::Head ? toEye : Vec3(first[0], first[1], first[2]);
+            const LightShare share = light.surroundings->at(p, toward);
+            share_[0][l] = static_cast<float>(share.first);
+            share_[1][l] = static_cast<float>(share.ambient);
+        });
     }
 
     const PacketVolume& volume_;
@@ -416,6 +474,8 @@ private:
     Whole bin_;
     Real depth_, atBin_[3];  // the tables at bin_
     Real color_[3], transmittance_;
+    std::uint32_t shared_ = 0;                    // lanes that know …
+    alignas(64) RayPacket::Lanes share_[2] = {};  // … what is left of the first light and of the ambient one
     Real brick_[3];
     Whole distance_;
 };

@@ -10,15 +10,27 @@
 #include "core/rays/optical_table.h"
 #include "core/rays/packet_cells.h"
 #include "core/rays/skip_grid.h"
+#include "core/scene/lighting.h"
 
 namespace voledit {
 
-/// How samples are lit; as RenderSettings, and world directions.
+class Surroundings;
+
+/// How samples are lit (core/scene/lighting.h), in world space.
 struct PacketLight {
+    struct Far {
+        std::array<float, 3> toward{};  // unit
+        float intensity = 1;
+    };
     bool shading = false;
     float ambient = 0, diffuse = 0, specular = 0, shininess = 1;
-    bool head = true;                // the light stands at the eye
-    std::array<float, 3> toLight{};  // unit; of another light
+    Lights::Kind kind = Lights::Kind::Head;
+    std::size_t count = 1;
+    std::array<Far, Lights::kMost> lights{};
+    /// Where set, what stands around a point takes of its light; for that, eye and step tell where samples lie.
+    const Surroundings* surroundings = nullptr;
+    Vec3 eye{0};
+    double step = 1;
 };
 
 /// What rays meet. Refers to what must outlive it.
@@ -46,6 +58,7 @@ struct RayPacket {
     std::span<const OwnPiece> own;                     // what hits that are no cells' refer to
     alignas(64) std::array<Lanes, 3> base{}, along{};
     alignas(64) std::array<Lanes, 3> toEye{};  // unit, world space
+    alignas(64) Lanes distance{};              // from the eye at u = 0, world units; only surroundings ask for it
     alignas(64) std::array<Lanes, 3> color{};  // result: composited, without background
     alignas(64) Lanes transmittance{};         // result
     std::uint64_t samples = 0;                 // grows by those taken

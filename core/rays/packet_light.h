@@ -2,10 +2,13 @@
 // A scene's light as packets take it.
 
 #include "core/rays/packet_caster.h"
-#include "core/scene/camera.h"
+#include "core/scene/compile.h"
 
 namespace voledit {
 
-PacketLight packetLight(const RenderSettings& settings);
+class Surroundings;
+
+/// `surroundings` are the scene's; the light refers to them where they take any.
+PacketLight packetLight(const CompiledScene& scene, const Surroundings& surroundings);
 
 }  // namespace voledit

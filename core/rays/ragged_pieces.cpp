@@ -34,7 +34,7 @@ void RaggedPieces::add(const CellLook& look, const Piece& stretch, std::uint32_t
                        const std::array<float, 3>& along) {
     const auto number = std::uint32_t(rays_.size());
     Ray ray{{}, {}, Vec3(base[0], base[1], base[2]), Vec3(along[0], along[1], along[2]), cell};
-    const auto& map = look.cells.cells[cell].index;
+    const auto& map = look.cells().cells[cell].index;
     for (std::size_t a = 0; a < 3; ++a) {
         const auto turned = [&](const Vec3& v) {
             return double(map[0][a]) * v.x + double(map[1][a]) * v.y + double(map[2][a]) * v.z;
@@ -62,13 +62,13 @@ Mat3 RaggedPieces::outerAt(const CellLook& look, const Stretch& stretch, double 
     const Ray& ray = rays_[stretch.ray];
     const double u = double(stretch.piece.begin) + part * (double(stretch.piece.end) - double(stretch.piece.begin));
     const Vec3 p = ray.base + u * ray.along;
-    const auto& plane = look.cells.cells[ray.cell].plane;
+    const auto& plane = look.cells().cells[ray.cell].plane;
     Mat3 sum(0);
     double weights = 0;
     for (std::size_t v = 0; v < 4; ++v) {
         const double weight = std::max(0.0, double(plane[0][v]) * p.x + double(plane[1][v]) * p.y +
                                                 double(plane[2][v]) * p.z + double(plane[3][v]));
-        sum += weight * look.cells.outer[look.cells.corners[ray.cell][v]];
+        sum += weight * look.cells().outer[look.cells().corners[ray.cell][v]];
         weights += weight;
     }
     return weights > 0 ? sum / weights : Mat3(1);
@@ -123,14 +123,14 @@ bool RaggedPieces::maySee(const CellLook& look, const Stretch& s) {
     for (const Vec3& x : {s.first, s.last})
         if (finite(x) && finite(s.middle)) reach = std::max(reach, largestOf(x - s.middle));
     const Box3 domain = look.look->volumeTerm().volume->grid().indexDomain();
-    return look.look->skip.mayBeVisible(intersect({hull.min - reach, hull.max + reach}, domain));
+    return look.look->skip().mayBeVisible(intersect({hull.min - reach, hull.max + reach}, domain));
 }
 
 void RaggedPieces::keep(const CellLook& look, const Stretch& s) {
     // Only what lies within the volume's domain, and may be seen.
     const Vec3 step = s.last - s.first;
     const Box3 domain = look.look->volumeTerm().volume->grid().indexDomain();
-    if (!look.look->skip.mayBeVisible(
+    if (!look.look->skip().mayBeVisible(
             intersect({glm::min(s.first, s.last) - kTolerance, glm::max(s.first, s.last) + kTolerance}, domain)))
         return;
     double from = 0, to = 1;
@@ -157,7 +157,7 @@ void RaggedPieces::keep(const CellLook& look, const Stretch& s) {
     pieces_.push_back(piece);
     maps_.push_back(map);
     middles_.push_back(placeOn(s, 0.5 * (from + to)));
-    if (!look.cells.outer.empty()) outer_.push_back(outerAt(look, s, 0.5 * (from + to)));
+    if (!look.cells().outer.empty()) outer_.push_back(outerAt(look, s, 0.5 * (from + to)));
 }
 
 void RaggedPieces::turn(const CellLook& look) {

@@ -57,7 +57,7 @@ void RayRenderer::begin(const CompiledScene& scene, Index2 size, const Options& 
     s.tiles = (size + kTile - 1) / kTile;
     s.next = 0;
     s.samples = 0;
-    s.caster = makeTileCaster(scaled, size, s.cache);
+    s.caster = makeTileCaster(scaled, size, s.cache, options.moving);
 }
 
 bool RayRenderer::advance(double budgetMs) {

@@ -14,7 +14,7 @@ class RayRenderer {
 public:
     struct Options {
         double stepScale = 1;  // steps are so many times longer than the scene's own
-        bool moving = false;   // may show a baked map where its error is not known to be small
+        bool moving = false;   // chains of maps may be followed less closely: edits count for more
     };
 
     RayRenderer();

@@ -54,6 +54,7 @@ bool setUpStraightHere(const StraightRays& rays, Index2 at, RayPacket& packet,
         hn::Store(hn::Mul(step, direction[a]), F(), packet.along[a].data());
         hn::Store(hn::Mul(world[a], toEye), F(), packet.toEye[a].data());
     }
+    hn::Store(hn::Mul(near, length), F(), packet.distance.data());
     const Real until = hn::Max(hn::Mul(hn::Sub(nearVisible, near), perStep), hn::Zero(F()));
     hn::Store(hn::Floor(until), F(), begin.data());
     hn::Store(hn::Mul(hn::Sub(far, near), perStep), F(), end.data());

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/eval/surroundings.h"
 #include "core/rays/packet_caster.h"
 #include "core/rays/packet_light.h"
 #include "core/rays/packet_picture.h"
@@ -21,6 +22,7 @@ public:
     StraightTiles(const CompiledScene& scene, Index2 size, std::shared_ptr<const VolumeLook> look,
                   const Mat4& indexFromWorld)
         : look_(std::move(look)),
+          surroundings_(scene),
           world_(scene.camera, size),
           eye_(transformPoint(indexFromWorld, world_.eye)),
           origin_(transformVector(indexFromWorld, world_.origin)),
@@ -32,13 +34,13 @@ public:
         const VolumeTerm& node = look_->volumeTerm();
         volume_.volume = node.volume.get();
         volume_.table = &look_->table;
-        volume_.skip = &look_->skip;
-        volume_.light = packetLight(scene.render);
+        volume_.skip = &look_->skip();
+        volume_.light = packetLight(scene, surroundings_);
         const Mat3 m = glm::transpose(Mat3(indexFromWorld));
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 3; ++c) volume_.turn[std::size_t(c)][std::size_t(r)] = static_cast<float>(m[c][r]);
-        const double side = double(1 << look_->skip.shift);
-        visible_ = intersect(domain_, {side * Vec3(look_->skip.first), side * Vec3(look_->skip.end)});
+        const double side = double(1 << look_->skip().shift);
+        visible_ = intersect(domain_, {side * Vec3(look_->skip().first), side * Vec3(look_->skip().end)});
     }
 
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {
@@ -80,6 +82,7 @@ private:
     }
 
     std::shared_ptr<const VolumeLook> look_;
+    Surroundings surroundings_;
     PictureRays world_;
     Vec3 eye_, origin_, right_, down_;  // the rays in index space
     Box3 domain_, visible_;

@@ -58,25 +58,18 @@ PacketWay packetWay(const TermPtr& root) {
     return way;
 }
 
-/// Whether packets light things as `render` says.
-bool lightable(const RenderSettings& render) {
-    return !render.shading ||
-           ((render.light || render.rig == LightRig::Headlight) && render.shadows <= 0 && render.occlusion <= 0);
-}
-
 }  // namespace
 
 std::unique_ptr<const TileCaster> makeGeneralTiles(const CompiledScene& scene) {
     return std::make_unique<GeneralTiles>(scene);
 }
 
-std::unique_ptr<const TileCaster> makeTileCaster(const CompiledScene& scene, Index2 size, RayCache& cache) {
+std::unique_ptr<const TileCaster> makeTileCaster(const CompiledScene& scene, Index2 size, RayCache& cache, bool rough) {
     const PacketWay way = packetWay(scene.root);
-    if (!way.volume || !packable(std::get<VolumeTerm>(way.volume->node)) || !lightable(scene.render))
-        return makeGeneralTiles(scene);
+    if (!way.volume || !packable(std::get<VolumeTerm>(way.volume->node))) return makeGeneralTiles(scene);
     cache.look = volumeLook(way.volume, scene.stepLength() / scene.opacityDistance, cache.look);
     if (way.cells.by.empty()) return makeStraightTiles(scene, size, cache.look, way.cells.indexFromRest);
-    cache.cells = cellLook(way.cells, cache.look, scene.render.shading, cache.cells);
+    cache.cells = cellLook(way.cells, cache.look, {scene.render.shading, rough}, cache.cells);
     return makeCellTiles(scene, size, cache.cells);
 }
 

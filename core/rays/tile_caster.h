@@ -25,8 +25,9 @@ struct RayCache {
     std::shared_ptr<const CellLook> cells;
 };
 
-/// The caster for `scene` (kept by it) in a picture of `size`.
-std::unique_ptr<const TileCaster> makeTileCaster(const CompiledScene& scene, Index2 size, RayCache& cache);
+/// The caster for `scene` (kept by it) in a picture of `size`; `rough` as CellWish has it.
+std::unique_ptr<const TileCaster> makeTileCaster(const CompiledScene& scene, Index2 size, RayCache& cache,
+                                                 bool rough = false);
 
 /// Any term, by blocks of samples: the reference's own way.
 std::unique_ptr<const TileCaster> makeGeneralTiles(const CompiledScene& scene);

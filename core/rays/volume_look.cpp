@@ -34,7 +34,9 @@ std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
     const VolumeTerm& node = look->volumeTerm();
     const ValueBricks& bricks = node.volume->bricks(node.channel);
     look->table = makeOpticalTable(node.appearance, rangeOf(bricks), whole(node.volume->type()), unit);
-    look->skip = makeSkipGrid(bricks, look->table);
+    look->grid = previous && previous->term == term
+                     ? previous->grid
+                     : std::make_shared<const SkipGrid>(makeSkipGrid(bricks, look->table));
     return look;
 }
 

@@ -14,15 +14,17 @@ struct VolumeLook {
     TermPtr term;     // a VolumeTerm; keeps it
     double unit = 1;  // the step, opacity distances
     OpticalTable table;
-    SkipGrid skip;
+    std::shared_ptr<const SkipGrid> grid;
 
+    const SkipGrid& skip() const { return *grid; }
     const VolumeTerm& volumeTerm() const { return std::get<VolumeTerm>(term->node); }
 };
 
 /// True for volumes that packets draw as written: linear, packable(), without opacity by steepness.
 bool packable(const VolumeTerm& term);
 
-/// The look of a VolumeTerm that is packable(); `previous` (may be null) if that is it.
+/// The look of a VolumeTerm that is packable(); `previous` (may be null) if that is it. Where only `unit` differs its
+/// grid is kept: what is visible at all does not depend on the step.
 std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
                                              const std::shared_ptr<const VolumeLook>& previous);
 

@@ -99,6 +99,24 @@ TEST(ChainCells, AreTheSameForEveryNumberOfThreads) {
     EXPECT_EQ(drawn(scene, {133, 97}, 1e-6).pixels, one.pixels);
 }
 
+TEST(ChainCells, AreRoughOnlyWhileSomethingMoves) {
+    const CompiledScene scene =
+        boxScene(under(library("twist", {{"axis", Axes{2}}, {"angle", Numbers{200}}}), boxVolume()));
+    const Picture fine = drawn(scene, kSmall);
+    RayRenderer renderer;
+    const auto again = [&](double stepScale, bool moving) {
+        renderer.begin(scene, kSmall, {stepScale, moving});
+        renderer.advance(0);
+        return renderer.picture();
+    };
+    EXPECT_GT(psnr(again(1, true), fine), 25);
+    again(2.5, true);
+    EXPECT_EQ(again(1, false).pixels, fine.pixels);
+    EXPECT_EQ(again(1, true).pixels, fine.pixels);  // what is known already is not forgotten
+    EXPECT_GT(psnr(again(1.5, true), fine), 30);
+    EXPECT_EQ(again(1, false).pixels, fine.pixels);
+}
+
 /// The mean of the pixels' alpha.
 double coverage(const Picture& picture) {
     double sum = 0;
@@ -128,7 +146,7 @@ TEST(ChainCells, InterpolateToATenthOfAVoxel) {
     way.by = {std::get<TransferTerm>(term->node).by};
     way.indexFromRest = std::get<VolumeTerm>(volume->node).volume->indexFromWorld();
     const auto look = volumeLook(volume, 1, nullptr);
-    const PacketCells cells = chainCells(way, *look, false);
+    const PacketCells cells = chainCells(way, *look, {});
     ASSERT_GT(cells.firstRagged, 100U);
     for (std::uint32_t n = 0; n < cells.firstRagged; ++n) {
         Vec3 middle(0);

@@ -138,6 +138,24 @@ TEST(RayRenderer, NothingToSeeIsTheBackground) {
     for (const Vec4f& pixel : drawn(sceneOf(seen, away, 0.1)).pixels) ASSERT_EQ(pixel, background);
 }
 
+TEST(RayRenderer, RigsShadowsAndOcclusionAreTheReferences) {
+    const TermPtr volume = makeVolumeTerm(typed<std::uint8_t>(Index3(33), unitGrid(33)), 0, bands());
+    const TermPtr bent = makeTransferTerm(bentLattice(0.25, 6), volume, Combine::Union, "");
+    for (const TermPtr& term : {volume, bent})
+        for (const LightRig rig : {LightRig::Headlight, LightRig::KeyFillRim, LightRig::Soft, LightRig::Dramatic})
+            for (const double amount : {0.0, 0.8}) {
+                CompiledScene scene = lit(sceneOf(term, kOblique, 2.0 / 32));
+                scene.opacityDistance = 0.15;
+                scene.render.rig = rig;
+                scene.render.shadows = scene.render.occlusion = amount;
+                const Picture picture = drawn(scene);
+                // Surroundings are known as finely as steps are long, so that the reference's must be as long.
+                CompiledScene same = scene;
+                if (amount == 0) same.render.step /= 16;
+                EXPECT_GT(psnr(picture, castRays(same, kSize)), amount == 0 ? 40 : 34) << int(rig) << " " << amount;
+            }
+}
+
 TEST(RayRenderer, OtherTermsGoTheReferencesWay) {
     const TermPtr volume = makeVolumeTerm(typed<std::uint8_t>(Index3(20), unitGrid(20)), 0, bands());
     const TermPtr ball = solid(SphereShape{Vec3(0.2, -0.3, 0.1), 0.7}, Vec3(1, 0.4, 0.2), "0.6");
