@@ -70,11 +70,11 @@ TEST(LightOfSlices, ShadowsFallOnTheTableAndNowhereElse) {
 }
 
 TEST(LightOfSlices, TexturesFollowTheScene) {
+    offscreen();
     SliceRenderer renderer;
     CompiledScene scene = sceneOf(ballOnTable(), 2 / 47.0);
     scene.render.shadows = scene.render.occlusion = 1;
     scene.render.rig = LightRig::Dramatic;
-    offscreen();
     const Picture first = renderSlices(renderer, scene, kSize);
     CompiledScene other = scene;
     other.root = through(bentLattice(scene.root->bounds), scene.root);
