@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_text.h"
+#include "core/fields/statistics.h"
 #include "core/scene/edits.h"
 
 namespace voledit {
@@ -32,7 +33,6 @@ void addStatistics(Json& json, const VolumeStatistics& s) {
 Json describe(const VolumeFile& file) {
     const Volume& volume = *file.volume;
     const VolumeGrid& grid = volume.grid();
-    const VolumeStatistics& s = volume.statistics();
     const Mat3 d = grid.direction();
     Json json;
     json["kind"] = "volume";
@@ -43,7 +43,7 @@ Json describe(const VolumeFile& file) {
     json["direction"] = {d[0].x, d[1].x, d[2].x, d[0].y, d[1].y, d[2].y, d[0].z, d[1].z, d[2].z};
     json["component"] = nameOf(volume.type());
     json["channels"] = grid.channels;
-    addStatistics(json, s);
+    addStatistics(json, countedStatistics(volume));
     return json;
 }
 

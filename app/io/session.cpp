@@ -108,7 +108,7 @@ public:
         reporter_(0.9);
         const MemoryLimitLifted lifted;  // threads have stacks
         reply.statistics =
-            mesh_ ? std::move(statistics_) : statisticsOf(header_.type, mapping_.bytes, header_.grid.channels);
+            mesh_ ? std::move(statistics_) : extremesOf(header_.type, mapping_.bytes, header_.grid.channels);
         mapping_ = {};
         seal(file_.get());
         return {std::move(reply), std::move(file_)};

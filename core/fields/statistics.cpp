@@ -1,11 +1,13 @@
 #include "core/fields/statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <type_traits>
 
 #include "core/base/parallel.h"
+#include "core/fields/row_ranges.h"
 #include "core/fields/voxel_type.h"
 
 namespace voledit {
@@ -119,7 +121,56 @@ VolumeStatistics scannedStatistics(const T* voxels, std::size_t samples, std::si
     return {all.min, all.max, all.sum / double(all.count), std::move(all.histogram)};
 }
 
+/// Extremes of consecutive values, of all of them; low > high where all are NaN.
+template <class T>
+std::pair<T, T> extremes(const T* values, std::size_t count) {
+    constexpr std::size_t kLength = 1024;  // of rows that are joined element by element
+    std::array<T, kLength> low, high;
+    std::vector<const T*> rows;
+    T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
+    const auto join = [&](std::size_t length) {
+        rangesOfRows<T>(rows, rows, length, low.data(), high.data());
+        for (std::size_t i = 0; i < length; ++i) {
+            least = std::min(least, low[i]);
+            most = std::max(most, high[i]);
+        }
+    };
+    for (std::size_t at = 0; at + kLength <= count; at += kLength) rows.push_back(values + at);
+    if (!rows.empty()) join(kLength);
+    rows = {values + count / kLength * kLength};
+    if (count % kLength > 0) join(count % kLength);
+    return {least, most};
+}
+
 }  // namespace
+
+VolumeStatistics extremesOf(VoxelType type, std::span<const std::byte> voxels, int channels) {
+    return withVoxelType(type, [&](auto t) {
+        using T = decltype(t);
+        const T* values = reinterpret_cast<const T*>(voxels.data());
+        const std::size_t samples = voxels.size() / sizeof(T);
+        if (channels != 1 || samples == 0) return statisticsOf(type, voxels, channels);
+        std::vector<std::pair<T, T>> parts((samples + kChunk - 1) / kChunk);
+        parallelFor(parts.size(), 8, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t c = begin; c < end; ++c)
+                parts[c] = extremes(values + c * kChunk, std::min(kChunk, samples - c * kChunk));
+        });
+        double min = kInfinity, max = -kInfinity;
+        for (const auto& [least, most] : parts) {
+            min = std::min(min, double(least));
+            max = std::max(max, double(most));
+        }
+        // Finite values alone count: those of such volumes are looked at one by one.
+        if (!(min <= max) || !std::isfinite(min) || !std::isfinite(max)) return statisticsOf(type, voxels, channels);
+        return VolumeStatistics{min, max, kNaN, {}};
+    });
+}
+
+VolumeStatistics countedStatistics(const Volume& volume) {
+    const VolumeStatistics& known = volume.statistics();
+    if (!known.histogram.empty()) return known;
+    return statisticsOf(volume.type(), volume.voxels(), volume.grid().channels);
+}
 
 VolumeStatistics statisticsOf(VoxelType type, std::span<const std::byte> voxels, int channels) {
     assert(channels > 0 && voxels.size() % (byteSize(type) * std::size_t(channels)) == 0);

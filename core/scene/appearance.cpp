@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/paths.h"
+#include "core/fields/statistics.h"
 
 namespace voledit {
 
@@ -136,11 +138,10 @@ std::string suggestedPreset(const Volume& volume) {
     if (mayBeHounsfield && statistics.min <= -900 && statistics.min >= -9000 && statistics.max >= 200)
         return faceShareOfTissue(volume) > 0.3 ? "ct-angiography" : "ct-skin";
     // A fog volume: densities from 0, most of the box clear air.
-    std::uint64_t count = 0;
-    for (const auto bin : statistics.histogram) count += bin;
-    const bool mostlyEmpty = !statistics.histogram.empty() && statistics.histogram.front() > count / 2;
-    if (real && statistics.min == 0 && mostlyEmpty) return "smoke";
-    return "grey";
+    if (!real || statistics.min != 0) return "grey";
+    const auto histogram = countedStatistics(volume).histogram;
+    const auto count = std::accumulate(histogram.begin(), histogram.end(), std::uint64_t(0));
+    return !histogram.empty() && histogram.front() > count / 2 ? "smoke" : "grey";
 }
 
 }  // namespace voledit

@@ -10,6 +10,7 @@
 #include "app/editor/panels/gradient_statistics.h"
 #include "app/editor/theme.h"
 #include "app/editor/timeline/key_row.h"
+#include "core/fields/statistics.h"
 #include "core/scene/appearance.h"
 #include "core/scene/edits.h"
 
@@ -163,12 +164,13 @@ void AppearancePanel::draw(Workspace& workspace) {
     const Document& document = workspace.document;
     const TransferFunction shown = resolve(*findAppearance(document.scene(), asset_), *volume);
     const TransferFunction committed = resolve(*findAppearance(document.committed(), asset_), *volume);
-    const TransferPlot::Result result = plot_.draw(shown, committed, volume->statistics());
-    applyTables(workspace, asset_, result.edit, result.step, result.function);
-    if (std::exchange(steepnessOf_, volume) != volume) {
+    if (std::exchange(countedOf_, volume) != volume) {
+        values_ = countedStatistics(*volume);
         steepness_ = gradientStatistics(*volume);
         gradientPlot_.fit();
     }
+    const TransferPlot::Result result = plot_.draw(shown, committed, values_);
+    applyTables(workspace, asset_, result.edit, result.step, result.function);
     editGradientOpacity(workspace, shown, committed);
     opacityDistance(workspace);
 }

@@ -21,8 +21,8 @@ private:
 
     std::string asset_;  // shown; another where the scene has no such volume
     TransferPlot plot_, gradientPlot_;
-    std::shared_ptr<const Volume> steepnessOf_;
-    VolumeStatistics steepness_;  // of it
+    std::shared_ptr<const Volume> countedOf_;
+    VolumeStatistics values_, steepness_;  // of it
 };
 
 }  // namespace voledit

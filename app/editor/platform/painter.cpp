@@ -37,14 +37,19 @@ bool Painter::update(Editor& editor, double restMs) {
     bool isNew = false;
     guarded(editor,
             [&] { isNew = picture_.update(workspace.compiled, workspace.viewSize, workspace.renderer, frame); });
+    tellNotices(editor);
+    return isNew;
+}
+
+void Painter::tellNotices(Editor& editor) {
     for (const std::string& notice : picture().notices())
         if (noted_.insert(notice).second) editor.workspace().notify(Notice::Kind::Warning, notice);
-    return isNew;
 }
 
 Picture Painter::screenshot(Editor& editor) {
     const Workspace& workspace = editor.workspace();
     if (workspace.open) picture_.finish(workspace.compiled, workspace.viewSize, workspace.renderer);
+    tellNotices(editor);
     const ImVec2 display = editor.drawData().DisplaySize;
     const Index2 size(int(display.x), int(display.y));
     const Texture canvas = makeTexture2D(GL_RGBA8, size);

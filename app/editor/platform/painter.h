@@ -31,6 +31,7 @@ public:
 private:
     void clear() const;
     void drawPicture(Editor& editor, GLuint framebuffer);
+    void tellNotices(Editor& editor);
     void guarded(Editor& editor, const std::function<void()>& draw);
 
     ShaderLibrary shaders_;

@@ -96,5 +96,47 @@ TEST(Statistics, AreTheSameForEveryNumberOfThreads) {
     EXPECT_EQ(one.histogram, all.histogram);
 }
 
+template <class T>
+void expectTheExtremes(std::size_t count, VoxelType type, int channels = 1) {
+    std::mt19937 random(count);
+    std::vector<T> values(count * std::size_t(channels));
+    for (T& v : values) v = T(random());
+    const auto bytes = std::as_bytes(std::span(values));
+    const VolumeStatistics all = statisticsOf(type, bytes, channels), extremes = extremesOf(type, bytes, channels);
+    EXPECT_EQ(extremes.min, all.min) << count;
+    EXPECT_EQ(extremes.max, all.max) << count;
+}
+
+TEST(Extremes, AreThoseOfTheStatistics) {
+    for (const std::size_t count : {1, 5, 1000, 1024, 1025, 300000, 1 << 18}) {
+        expectTheExtremes<std::uint8_t>(count, VoxelType::UInt8);
+        expectTheExtremes<std::int16_t>(count, VoxelType::Int16);
+        expectTheExtremes<std::uint32_t>(count, VoxelType::UInt32);
+        expectTheExtremes<double>(count, VoxelType::Double);
+    }
+    expectTheExtremes<std::int16_t>(1000, VoxelType::Int16, 3);
+}
+
+TEST(Extremes, AreOfFiniteValues) {
+    for (const auto& values : {std::vector<float>{1, NAN, 3, INFINITY, -INFINITY}, std::vector<float>{NAN, NAN},
+                               std::vector<float>{NAN, 7}, std::vector<float>{INFINITY}}) {
+        const auto bytes = std::as_bytes(std::span(values));
+        EXPECT_EQ(extremesOf(VoxelType::Float, bytes, 1).min, statisticsOf(VoxelType::Float, bytes, 1).min);
+        EXPECT_EQ(extremesOf(VoxelType::Float, bytes, 1).max, statisticsOf(VoxelType::Float, bytes, 1).max);
+    }
+}
+
+TEST(Extremes, AreCompletedWhenAsked) {
+    const auto values = std::make_shared<std::vector<std::uint8_t>>(std::vector<std::uint8_t>{3, 9, 4, 4});
+    const auto bytes = std::as_bytes(std::span(*values));
+    const Volume volume({{4, 1, 1}, 1, Mat4(1.0)}, VoxelType::UInt8, bytes, values,
+                        extremesOf(VoxelType::UInt8, bytes, 1));
+    EXPECT_TRUE(volume.statistics().histogram.empty());
+    EXPECT_EQ(volume.statistics().max, 9);
+    const VolumeStatistics counted = countedStatistics(volume);
+    EXPECT_EQ(counted.mean, 5);
+    EXPECT_EQ(counted.histogram, statisticsOf(VoxelType::UInt8, bytes, 1).histogram);
+}
+
 }  // namespace
 }  // namespace voledit
