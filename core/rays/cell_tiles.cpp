@@ -115,27 +115,30 @@ private:
     /// Puts the pieces within ragged cells in these cells' place.
     void findRagged(const TileRays& rays, HitLists& hits, RaggedPieces& ragged) const {
         const std::uint32_t first = look_->cells().firstRagged;
-        const bool joined = !look_->way.outerCells();
+        const std::vector<std::uint32_t>& group = look_->cells().raggedGroup;
+        std::array<bool, TileRays::kPixels> changed{};
         for (std::size_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
             const std::span<CellHit> of = hits.of(pixel);
             const auto place = Index2(int(pixel) % kTile, int(pixel) / kTile);
             for (std::size_t n = 0; n < of.size(); ++n) {
                 if (of[n].cell < first) continue;
                 RaggedPieces::Piece stretch{std::uint32_t(pixel), of[n].begin, of[n].end};
-                // Where all maps are inner ones, all ragged cells lead there alike.
                 const std::uint32_t cell = of[n].cell;
-                while (joined && n + 1 < of.size() && of[n + 1].cell >= first && of[n + 1].begin == stretch.end)
+                changed[pixel] = true;
+                while (n + 1 < of.size() && of[n + 1].cell >= first && of[n + 1].begin == stretch.end &&
+                       group[of[n + 1].cell - first] == group[cell - first])
                     stretch.end = of[++n].end;
                 const Ray ray = rayOf(rays, place);
                 ragged.add(*look_, stretch, cell, ray.base, ray.along);
             }
         }
         ragged.find(*look_);
-        putInPlace(ragged, hits);
+        putInPlace(ragged, changed, hits);
     }
 
     /// Takes ragged cells' hits out, and their pieces in.
-    void putInPlace(const RaggedPieces& ragged, HitLists& hits) const {
+    void putInPlace(const RaggedPieces& ragged, const std::array<bool, TileRays::kPixels>& changed,
+                    HitLists& hits) const {
         const std::span<const RaggedPieces::Piece> pieces = ragged.pieces();
         std::vector<std::uint32_t> order(pieces.size());
         std::iota(order.begin(), order.end(), 0U);
@@ -145,6 +148,7 @@ private:
         std::vector<CellHit> merged;
         auto next = order.begin();
         for (std::uint32_t pixel = 0; pixel < TileRays::kPixels; ++pixel) {
+            if (!changed[pixel]) continue;
             merged.clear();
             const auto takeBefore = [&](float begin) {
                 for (; next != order.end() && pieces[*next].pixel == pixel && pieces[*next].begin < begin; ++next)

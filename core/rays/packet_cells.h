@@ -38,6 +38,7 @@ struct PacketCells {
     /// From this one on, cells are ragged: there is no affine map through them to index space, and the pieces of rays
     /// must be found one by one. `index` leads to where CellWay's inner maps go on.
     std::uint32_t firstRagged = ~0U;
+    std::vector<std::uint32_t> raggedGroup;  // of each of these: `index` of all in a group is the same map
     /// The Jacobian of that way at each vertex; empty where it is the identity.
     std::vector<Mat3> outer;
 

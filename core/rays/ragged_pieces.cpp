@@ -8,7 +8,7 @@ namespace voledit {
 
 namespace {
 
-constexpr float kLongest = 4, kShortest = 0.13F;    // stretches looked at, steps
+constexpr float kLongest = 4, kShortest = 0.26F;    // stretches looked at, steps
 constexpr double kTolerance = 0.1, kBeyond = 1e-3;  // voxels
 
 bool finite(const Vec3& v) {
@@ -105,12 +105,27 @@ void RaggedPieces::halve(const CellLook& look) {
             continue;
         }
         const Piece& p = s.piece;
-        if (p.end - p.begin < kShortest || !maySee(look, s)) continue;
+        if (!maySee(look, s)) continue;
         const float half = 0.5F * (p.begin + p.end);
+        if (p.end - p.begin < kShortest) {
+            keepHalves(look, s, half);
+            continue;
+        }
         next_.push_back({{p.pixel, p.begin, half}, s.ray, s.first, kUndefined, s.middle});
         next_.push_back({{p.pixel, half, p.end}, s.ray, s.middle, kUndefined, s.last});
     }
     std::swap(open_, next_);
+}
+
+/// Of a stretch too short to be halved again, the halves that hold no cut.
+void RaggedPieces::keepHalves(const CellLook& look, const Stretch& s, float half) {
+    const bool middle = finite(s.middle), whole = middle && finite(s.first) && finite(s.last);
+    const double before = largestOf(s.middle - s.first), after = largestOf(s.last - s.middle);
+    // Where all is defined the larger half holds a jump, unless they are much alike: then the maps only bend.
+    if (middle && finite(s.first) && (!whole || before <= 2 * after))
+        keep(look, {{s.piece.pixel, s.piece.begin, half}, s.ray, s.first, s.middle, s.middle});
+    if (middle && finite(s.last) && (!whole || after <= 2 * before))
+        keep(look, {{s.piece.pixel, half, s.piece.end}, s.ray, s.middle, s.middle, s.last});
 }
 
 /// False where what lies about a stretch shows nothing.
@@ -157,7 +172,7 @@ void RaggedPieces::keep(const CellLook& look, const Stretch& s) {
     pieces_.push_back(piece);
     maps_.push_back(map);
     middles_.push_back(placeOn(s, 0.5 * (from + to)));
-    if (!look.cells().outer.empty()) outer_.push_back(outerAt(look, s, 0.5 * (from + to)));
+    if (look.turned && !look.cells().outer.empty()) outer_.push_back(outerAt(look, s, 0.5 * (from + to)));
 }
 
 void RaggedPieces::turn(const CellLook& look) {

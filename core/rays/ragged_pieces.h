@@ -9,8 +9,8 @@
 namespace voledit {
 
 /// Finds the affine pieces of stretches of rays by halving these until their middles fall, to a tenth of a voxel, where
-/// their ends say, or they are an eighth of a step long and are left out. Ends and middles are mapped exactly, those of
-/// a whole tile together.
+/// their ends say, or they are a quarter of a step long, when the half that holds a cut is left out. Ends and middles
+/// are mapped exactly, those of a whole tile together.
 class RaggedPieces {
 public:
     struct Piece {
@@ -51,6 +51,7 @@ private:
     void halve(const CellLook& look);
     static bool maySee(const CellLook& look, const Stretch& stretch);
     void keep(const CellLook& look, const Stretch& stretch);
+    void keepHalves(const CellLook& look, const Stretch& stretch, float half);
     void turn(const CellLook& look);
 
     std::vector<Ray> rays_;
