@@ -1,5 +1,7 @@
 // render, voxelize, sample and convert on scenes, as a script calls them.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -96,8 +98,11 @@ TEST(RenderCommand, SupersampledPixelsAreMeansOfFourTimesAsMany) {
     for (int y = 0; y < 30; ++y)
         for (int x = 0; x < 40; ++x)
             for (int c = 0; c < 3; ++c) {
-                const float sum = fine.at(2 * x, 2 * y)[c] + fine.at(2 * x + 1, 2 * y)[c] +
-                                  fine.at(2 * x, 2 * y + 1)[c] + fine.at(2 * x + 1, 2 * y + 1)[c];
+                const std::array<float, 4> four{fine.at(2 * x, 2 * y)[c], fine.at(2 * x + 1, 2 * y)[c],
+                                                fine.at(2 * x, 2 * y + 1)[c], fine.at(2 * x + 1, 2 * y + 1)[c]};
+                // Highlights are cut off at white after the mean is taken: what they were before isn't known here.
+                if (*std::max_element(four.begin(), four.end()) == 1) continue;
+                const float sum = four[0] + four[1] + four[2] + four[3];
                 EXPECT_NEAR(means.at(x, y)[c], sum / 4, 1.001 / 255);  // both are rounded to bytes
             }
     EXPECT_EQ(run("voledit", {"render", scene, "-o", files.at("no.png"), "--supersample", "0"}).status, 2);
