@@ -1,6 +1,7 @@
 #include "core/eval/voxel_kernels.h"
 
 #include <algorithm>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/eval/voxel_kernels.cpp"
@@ -139,11 +140,32 @@ struct Pair {
     Real first, second;
 };
 
+/// Four bytes from each index of a voxel on, and from `offsets` bytes further.
 template <class T>
-HWY_INLINE Pair pairAt(const T* voxels, Whole index) {
+HWY_INLINE void read(const T* voxels, Whole index, const std::ptrdiff_t (&offsets)[4], Whole (&words)[4]) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(voxels);
+#if HWY_TARGET == HWY_AVX2
+    // Loads one by one: many processors take longer over their own gathers, and the indices serve four times.
+    HWY_ALIGN std::int32_t at[8];
+    hn::Store(index, I(), at);
+    for (int n = 0; n < 4; ++n) {
+        const auto load = [&](int lane) {
+            std::int32_t word;
+            std::memcpy(&word, bytes + std::ptrdiff_t(at[lane]) * std::ptrdiff_t(sizeof(T)) + offsets[n], sizeof word);
+            return word;
+        };
+        words[n] = Whole{_mm256_setr_epi32(load(0), load(1), load(2), load(3), load(4), load(5), load(6), load(7))};
+    }
+#else
+    const Whole at = sizeof(T) == 1 ? index : hn::ShiftLeft<1>(index);
+    for (int n = 0; n < 4; ++n)
+        words[n] = hn::GatherOffset(I(), reinterpret_cast<const std::int32_t*>(bytes + offsets[n]), at);
+#endif
+}
+
+template <class T>
+HWY_INLINE Pair pairOf(Whole word) {
     constexpr int kBits = 8 * sizeof(T);
-    const auto* bytes = reinterpret_cast<const std::int32_t*>(voxels);
-    const Whole word = hn::GatherOffset(I(), bytes, sizeof(T) == 1 ? index : hn::ShiftLeft<1>(index));
     if constexpr (std::is_signed_v<T>) {
         return {hn::ConvertTo(F(), hn::ShiftRight<32 - kBits>(hn::ShiftLeft<32 - kBits>(word))),
                 hn::ConvertTo(F(), hn::ShiftRight<32 - kBits>(hn::ShiftLeft<32 - 2 * kBits>(word)))};
@@ -177,14 +199,14 @@ struct Interpolated {
 };
 
 template <class T>
-HWY_INLINE Interpolated interpolate(const VoxelRows<T>& rows, const Cells& cells, float unit) {
+HWY_INLINE Interpolated interpolate(const T* voxels, const std::ptrdiff_t (&offsets)[4], const Cells& cells,
+                                    float unit) {
     const auto realOf = [&](Whole fraction)
                             HWY_ATTR { return hn::Mul(hn::ConvertTo(F(), fraction), hn::Set(F(), unit)); };
-    const Whole row = whole(rows.size.x), slice = whole(rows.size.x * rows.size.y);
     const Real u = realOf(cells.fraction[0]), v = realOf(cells.fraction[1]), w = realOf(cells.fraction[2]);
-    const Whole above = hn::Add(cells.index, slice);
-    const Pair p[4] = {pairAt(rows.voxels, cells.index), pairAt(rows.voxels, hn::Add(cells.index, row)),
-                       pairAt(rows.voxels, above), pairAt(rows.voxels, hn::Add(above, row))};
+    Whole words[4];
+    read(voxels, cells.index, offsets, words);
+    const Pair p[4] = {pairOf<T>(words[0]), pairOf<T>(words[1]), pairOf<T>(words[2]), pairOf<T>(words[3])};
     const Real low = lerp(lerp(p[0].first, p[0].second, u), lerp(p[1].first, p[1].second, u), v);
     const Real high = lerp(lerp(p[2].first, p[2].second, u), lerp(p[3].first, p[3].second, u), v);
     Interpolated result{lerp(low, high, w), p[0].first, p[0].first};
@@ -206,13 +228,11 @@ HWY_INLINE hn::Mask<F> nearOtherCells(const Cells& cells, int bits) {
     return hn::RebindMask(F(), near);
 }
 
-template <class T>
-HWY_INLINE Real doubtOf(const VoxelRows<T>& rows, const Cells& cells, const Interpolated& found, int bits) {
-    const Real all = hn::Set(F(), static_cast<float>(rows.range));
-    if constexpr (sizeof(T) == 1) return doubt(all, hn::Set(F(), 256.0F), unitOf(bits));
+/// Doubt about values of 16 bits, by the range of the neighbours: that of 8 bits is worked out once.
+HWY_INLINE Real doubtOf(float range, const Cells& cells, const Interpolated& found, int bits, float unit) {
     const Real largest = hn::Max(hn::Abs(found.low), hn::Abs(found.high));
-    return doubt(hn::IfThenElse(nearOtherCells(cells, bits), all, hn::Sub(found.high, found.low)),
-                 hn::Add(largest, hn::Set(F(), 1.0F)), unitOf(bits));
+    return doubt(hn::IfThenElse(nearOtherCells(cells, bits), hn::Set(F(), range), hn::Sub(found.high, found.low)),
+                 hn::Add(largest, hn::Set(F(), 1.0F)), unit);
 }
 
 template <class T>
@@ -221,6 +241,15 @@ public:
     RowReader(const VoxelRows<T>& rows, RowPlaces& places, T nothing)
         : rows_(rows), nothing_(nothing), bits_(places.bits), state_(places.state.data()) {
         for (std::size_t a = 0; a < 3; ++a) at_[a] = places.at[a].data();
+        unit_ = unitOf(bits_);
+        range_ = static_cast<float>(rows.range);
+        // The same sum as `doubt`, for the largest numbers of 8 bits.
+        doubt_ = range_ * (3.3F * kPlaceError * unit_) + 256 * 5e-7F;
+        const std::ptrdiff_t row = std::ptrdiff_t(sizeof(T)) * rows.size.x, above = row * rows.size.y;
+        offsets_[0] = 0;
+        offsets_[1] = row;
+        offsets_[2] = above;
+        offsets_[3] = above + row;
         const std::size_t slice = std::size_t(rows.size.x) * std::size_t(rows.size.y);
         // A pair is read as four bytes: of the last three voxels of all, these reach beyond the end.
         lastIndex_ = std::int32_t(slice * std::size_t(rows.size.z - 1) - std::size_t(rows.size.x) - 4 / sizeof(T));
@@ -257,12 +286,14 @@ private:
         const Whole row = hn::Add(below[1], hn::Mul(below[2], whole(rows_.size.y)));
         const Whole index = hn::Add(below[0], hn::Mul(row, whole(rows_.size.x)));
         cells.index = hn::Min(index, whole(lastIndex_));
-        const Interpolated found = interpolate(rows_, cells, unitOf(bits_));
+        const Interpolated found = interpolate(rows_.voxels, offsets_, cells, unit_);
         // By the place of a float's last bit: values are far from where that would overflow.
         const Real shift = hn::Set(F(), 12582912.0F), shifted = hn::Add(found.value, shift);
         const Real rounded = hn::Sub(shifted, shift);
         const Real off = hn::Abs(hn::Sub(found.value, rounded));
-        const auto unsure = hn::Gt(hn::Add(off, doubtOf(rows_, cells, found, bits_)), hn::Set(F(), 0.5F));
+        Real doubt = hn::Set(F(), doubt_);
+        if constexpr (sizeof(T) > 1) doubt = doubtOf(range_, cells, found, bits_, unit_);
+        const auto unsure = hn::Gt(hn::Add(off, doubt), hn::Set(F(), 0.5F));
         doubtful = hn::Or(hn::RebindMask(I(), unsure), hn::Ne(index, cells.index));
         return hn::Sub(hn::BitCast(I(), shifted), hn::BitCast(I(), shift));
     }
@@ -277,8 +308,10 @@ private:
     VoxelRows<T> rows_;
     T nothing_;
     int bits_;
+    float unit_, range_, doubt_;
     std::uint8_t* state_;
     const std::int32_t* at_[3];
+    std::ptrdiff_t offsets_[4];  // of a cell's four pairs, bytes
     std::int32_t lastIndex_;
 };
 
