@@ -1,6 +1,7 @@
 #include "core/eval/cell_rows.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -35,7 +36,7 @@ RowBlock::RowBlock(const Index3& grid, const Index3& samples)
       samples_(samples),
       row_(kSide * kSide),
       unit_(1.0 / (1 << RowPlaces(samples).bits)),
-      spanAt_(row_.size() * std::size_t(grid.x)) {}
+      beginning_(row_.size() * std::size_t(grid.x)) {}
 
 void RowBlock::setPlaces(const SamplePlaces& places) {
     SamplePlaces inUnits = places;
@@ -54,9 +55,8 @@ void RowBlock::begin(int j, int k) {
     rows_ = std::min(kSide, grid_.y - j);
     slices_ = std::min(kSide, grid_.z - k);
     places_.clear();
-    spans_.clear();
     for (Row& row : row_) {
-        row.spans = 0;
+        row.spans = false;
         row.asks.clear();
     }
 }
@@ -101,14 +101,15 @@ void RowBlock::addPart(int j, int k, VoxelSpan span) {
 
 bool RowBlock::place(int j, int k, RowPlaces& places) {
     const Row& row = row_[numberOf(j, k)];
-    if (row.spans == 0 && row.asks.empty()) return false;
+    if (!row.spans && row.asks.empty()) return false;
     places.clear(std::size_t(grid_.x));
-    std::uint32_t* at = spanAt_.data() + numberOf(j, k) * std::size_t(grid_.x);
+    Beginning* at = beginning_.data() + numberOf(j, k) * std::size_t(grid_.x);
     ofRow_.clear();
     for (int i = 0; i < grid_.x; ++i) {
-        if (at[i] == 0) continue;
-        ofRow_.push_back(spans_[std::exchange(at[i], 0) - 1]);
-        i = ofRow_.back().last;  // spans do not overlap, as their cells do not
+        if (at[i].places == 0) continue;
+        const Beginning found = std::exchange(at[i], {});
+        ofRow_.push_back({found.places - 1, i, found.last});
+        i = found.last;  // spans do not overlap, as their cells do not
     }
     placeSpans(ofRow_, places_, j, k, samples_, places);
     for (const std::int32_t i : row.asks) places.state[std::size_t(i)] = RowPlaces::Ask;
@@ -227,20 +228,26 @@ void CellRows::addTetrahedron(std::uint32_t n, bool asks, RowBlock& block) const
     block.setPlaces(piece.places);
     for (int k = piece.first.z; k < piece.end.z; ++k) {
         const RowIntervals& found = slices[std::size_t(k - first.z)];
-        for (int j = piece.first.y; j < piece.end.y; ++j) {
-            const auto row = std::size_t(j - first.y);
-            const int from = found.first[row], to = found.last[row];
-            const int mayFrom = found.mayFirst[row], mayTo = found.mayLast[row];
-            if (mayFrom > mayTo) continue;
-            if (asks || piece.thin || from > to) {
-                block.ask(j, k, mayFrom, mayTo);
-                continue;
-            }
-            if (mayFrom < from) block.ask(j, k, mayFrom, from - 1);
-            if (to < mayTo) block.ask(j, k, to + 1, mayTo);
-            block.add(j, k, from, to, piece.inside);
+        const unsigned plain = asks || piece.thin ? 0 : found.plain;
+        for (unsigned rows = plain; rows != 0; rows &= rows - 1) {
+            const int row = std::countr_zero(rows);
+            block.add(first.y + row, k, found.first[std::size_t(row)], found.last[std::size_t(row)], piece.inside);
+        }
+        for (unsigned rows = found.any & ~plain; rows != 0; rows &= rows - 1) {
+            const int row = std::countr_zero(rows);
+            addDoubtful(found, std::size_t(row), asks || piece.thin, {first.y + row, k}, piece, block);
         }
     }
+}
+
+/// Row `at` of a piece of which some voxels are in doubt, or all.
+void CellRows::addDoubtful(const RowIntervals& found, std::size_t row, bool all, Index2 at, const Piece& piece,
+                           RowBlock& block) {
+    const int from = found.first[row], to = found.last[row], mayFrom = found.mayFirst[row], mayTo = found.mayLast[row];
+    if (all || from > to) return block.ask(at[0], at[1], mayFrom, mayTo);
+    block.ask(at[0], at[1], mayFrom, from - 1);
+    block.ask(at[0], at[1], to + 1, mayTo);
+    block.add(at[0], at[1], from, to, piece.inside);
 }
 
 void CellRows::addTo(RowBlock& block) const {

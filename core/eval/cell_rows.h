@@ -43,14 +43,17 @@ public:
 
 private:
     struct Row {
-        int spans = 0;
+        bool spans = false;
         std::vector<std::int32_t> asks;
+    };
+    struct Beginning {
+        std::uint32_t places = 0;  // number + 1; 0: none begins here
+        std::int32_t last = 0;
     };
     void addInside(int j, int k, const VoxelSpan& span) {
         const std::size_t row = numberOf(j, k);
-        spans_.push_back(span);
-        spanAt_[row * std::size_t(grid_.x) + std::size_t(span.first)] = std::uint32_t(spans_.size());
-        ++row_[row].spans;
+        beginning_[row * std::size_t(grid_.x) + std::size_t(span.first)] = {span.places + 1, span.last};
+        row_[row].spans = true;
     }
     bool holds(int j, int k, const VoxelSpan& span) const;
     void addPart(int j, int k, VoxelSpan span);
@@ -62,8 +65,8 @@ private:
     double unit_;                       // of RowPlaces, voxels
     std::vector<SamplePlaces> places_;  // in units
     std::uint32_t current_ = 0;         // the last one
-    std::vector<VoxelSpan> spans_, ofRow_;
-    std::vector<std::uint32_t> spanAt_;  // number + 1 of the span that begins at a voxel, 0 for none
+    std::vector<VoxelSpan> ofRow_;
+    std::vector<Beginning> beginning_;  // of a span at each voxel
 };
 
 /// Cells' tetrahedra over the rows of a grid.
@@ -81,6 +84,8 @@ private:
     struct Piece;
     bool boxOf(std::uint32_t tetrahedron, const RowBlock& block, Piece& piece) const;
     void facesOf(std::uint32_t tetrahedron, Piece& piece) const;
+    static void addDoubtful(const RowIntervals& found, std::size_t row, bool all, Index2 at, const Piece& piece,
+                            RowBlock& block);
     void addTetrahedron(std::uint32_t tetrahedron, bool asks, RowBlock& block) const;
     std::size_t blockAt(int j, int k) const {
         return std::size_t(k / RowBlock::kSide) * blocksAlong_ + std::size_t(j / RowBlock::kSide);

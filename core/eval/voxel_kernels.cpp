@@ -44,16 +44,27 @@ HWY_INLINE void cut(const HalfSpaces& piece, std::size_t f, Double rest, double 
         bounds.high = hn::Min(bounds.high, at);
 }
 
-HWY_INLINE void store(const Bounds& bounds, double last, std::int32_t* firsts, std::int32_t* lasts) {
-    const Double low = hn::Min(hn::Ceil(bounds.low), hn::Set(D(), kFar));
-    const Double high = hn::Max(hn::Floor(hn::Min(bounds.high, hn::Set(D(), last))), hn::Set(D(), -1));
-    hn::StoreU(hn::DemoteTo(DI(), low), DI(), firsts);
-    hn::StoreU(hn::DemoteTo(DI(), high), DI(), lasts);
+/// To whole voxels, `last` being that of the rows.
+HWY_INLINE Bounds wholeOf(const Bounds& bounds, double last) {
+    return {hn::Min(hn::Ceil(bounds.low), hn::Set(D(), kFar)),
+            hn::Max(hn::Floor(hn::Min(bounds.high, hn::Set(D(), last))), hn::Set(D(), -1))};
+}
+
+HWY_INLINE void store(const Bounds& bounds, std::int32_t* firsts, std::int32_t* lasts) {
+    hn::StoreU(hn::DemoteTo(DI(), bounds.low), DI(), firsts);
+    hn::StoreU(hn::DemoteTo(DI(), bounds.high), DI(), lasts);
+}
+
+HWY_INLINE unsigned bitsOf(hn::Mask<D> mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(D(), mask, bits);
+    return bits[0];
 }
 
 void intervals(const HalfSpaces& piece, int j, int rows, int k, int length, std::span<RowIntervals> result) {
     const auto lanes = static_cast<int>(hn::Lanes(D()));
     for (RowIntervals& slice : result) {
+        slice.any = slice.plain = 0;
         for (int row = 0; row < rows; row += lanes) {
             const Double at = hn::Iota(D(), j + row);
             Bounds sure{hn::Zero(D()), hn::Set(D(), kFar)}, may = sure;
@@ -64,9 +75,17 @@ void intervals(const HalfSpaces& piece, int j, int rows, int k, int length, std:
                 cut(piece, f, rest, -piece.guard[f], may);
             }
             const auto to = static_cast<std::size_t>(row);
-            store(sure, length - 1, &slice.first[to], &slice.last[to]);
-            store(may, length - 1, &slice.mayFirst[to], &slice.mayLast[to]);
+            sure = wholeOf(sure, length - 1);
+            may = wholeOf(may, length - 1);
+            store(sure, &slice.first[to], &slice.last[to]);
+            store(may, &slice.mayFirst[to], &slice.mayLast[to]);
+            const auto any = hn::Le(may.low, may.high);
+            const auto same = hn::And(hn::Eq(sure.low, may.low), hn::Eq(sure.high, may.high));
+            slice.any |= bitsOf(any) << row;
+            slice.plain |= bitsOf(hn::And(any, same)) << row;
         }
+        slice.any &= (1U << rows) - 1;
+        slice.plain &= slice.any;
         ++k;
     }
 }

@@ -24,6 +24,8 @@ struct HalfSpaces {
 struct RowIntervals {
     static constexpr int kRows = 8;
     std::array<std::int32_t, kRows> first, last, mayFirst, mayLast;
+    unsigned any;    // bits of the rows that may hold some
+    unsigned plain;  // of those where nothing is in doubt
 };
 
 /// The rows j, j + 1, …, of `rows` (≤ kRows), in the slices k, k + 1, … (result[0], result[1], …), of voxels

@@ -131,7 +131,7 @@ std::shared_ptr<const Volume> voxelised(const ScalarChain& chain, const Voxelise
         report(progress, double(done += end - begin) / double(count));
     });
     return std::make_shared<const Volume>(grid, request.type, std::as_bytes(out), values,
-                                          statisticsOf(request.type, std::as_bytes(out), 1));
+                                          extremesOf(request.type, std::as_bytes(out), 1));
 }
 
 }  // namespace
