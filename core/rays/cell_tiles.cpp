@@ -38,9 +38,7 @@ public:
         view_ = {transformPoint(cellsFromWorld, world_.eye), transformVector(cellsFromWorld, world_.origin),
                  transformVector(cellsFromWorld, world_.right), transformVector(cellsFromWorld, world_.down)};
         bins_ = makeCellBins(look_->cells(), view_, size);
-        volume_.volume = look_->look->volumeTerm().volume.get();
-        volume_.table = &look_->look->table;
-        volume_.skip = &look_->look->skip();
+        volume_ = packetVolume(*look_->look);
         volume_.cells = &look_->cells();
         volume_.light = packetLight(scene, surroundings_);
     }

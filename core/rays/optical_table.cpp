@@ -68,6 +68,16 @@ OpticalTable makeOpticalTable(const TransferFunction& look, const Interval& data
     return table;
 }
 
+SteepnessTable makeSteepnessTable(const PiecewiseLinear& gradientOpacity) {
+    SteepnessTable table;
+    if (gradientOpacity.points.empty()) return table;
+    table.last = 1024;
+    table.scale = static_cast<float>(table.last / std::max(gradientOpacity.points.back().x, 1e-30));
+    for (int n = 0; n < table.last + 2; ++n)
+        table.factor.push_back(static_cast<float>(std::max(gradientOpacity(double(n) / double(table.scale)), 0.0)));
+    return table;
+}
+
 bool OpticalTable::mayAbsorb(float lowest, float highest) const {
     if (!(lowest <= highest)) return false;
     const float slack = 0.01F + 4e-7F * scale * std::max(std::abs(lowest), std::abs(highest));

@@ -23,6 +23,15 @@ struct OpticalTable {
     bool mayAbsorb(float lowest, float highest) const;
 };
 
+/// A factor on opacity over the gradient's magnitude, data units per world unit, tabulated at equal distances from 0
+/// on: entry magnitude · scale, clamped to [0, last] and interpolated. Empty: 1 everywhere.
+struct SteepnessTable {
+    float scale = 1;
+    int last = 1;
+    std::vector<float> factor;  // last + 2 entries
+};
+SteepnessTable makeSteepnessTable(const PiecewiseLinear& gradientOpacity);
+
 /// The table for values in `data`; `whole` says that they are whole numbers. `unit` is the length that h counts in,
 /// in opacity distances.
 OpticalTable makeOpticalTable(const TransferFunction& look, const Interval& data, bool whole, double unit);

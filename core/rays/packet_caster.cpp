@@ -290,7 +290,9 @@ private:
         const Real inverse = hn::Div(one, hn::IfThenElse(visible, hn::Mul(change, absorbed), one));
         const Real length = hn::Sub(to, u_);
         // depth = absorbed / change · length; mean colour = glow / absorbed.
-        const Real depth = hn::Mul(hn::Mul(hn::Mul(absorbed, absorbed), inverse), length);
+        Real depth = hn::Mul(hn::Mul(hn::Mul(absorbed, absorbed), inverse), length);
+        const Real middle = hn::Mul(real(0.5F), hn::Add(u_, to));
+        if (HWY_UNLIKELY(volume_.steepness != nullptr)) depth = steepened(visible, middle, depth, length);
         const Real through = exp2(hn::Mul(depth, real(-1.44269504F)));
         const Real weight = hn::IfThenElseZero(visible, hn::Mul(transmittance_, hn::Sub(one, through)));
         const Real perDepth = hn::Mul(change, inverse);
@@ -303,7 +305,7 @@ private:
         knowsColor_ = all();
         if (volume_.light.shading) {
             const Mask lit = hn::And(visible, hn::Gt(weight, real(kFaint)));
-            if (!hn::AllFalse(F(), lit)) shade(lit, hn::Mul(real(0.5F), hn::Add(u_, to)), weight, mean);
+            if (!hn::AllFalse(F(), lit)) shade(lit, middle, weight, mean);
         }
         for (int c = 0; c < 3; ++c) color_[c] = hn::Add(color_[c], hn::Mul(weight, mean[c]));
         transmittance_ = hn::IfThenElse(visible, hn::Mul(transmittance_, through), transmittance_);
@@ -311,6 +313,39 @@ private:
 
     /// The gradient at u turned to world space, of any length.
     HWY_INLINE Real3 gradient(Mask lit, Real u) const {
+        const Real3 g = differences(lit, u);
+        return volume_.cells ? turnedByCells(lit, u, g) : turnedBy(volume_.turn, g);
+    }
+
+    static HWY_INLINE Real3 turnedBy(const GradientTurn& turn, const Real3& g) {
+        const auto row = [&](std::size_t r) HWY_ATTR {
+            return hn::Add(hn::Add(hn::Mul(real(turn[0][r]), g.x), hn::Mul(real(turn[1][r]), g.y)),
+                           hn::Mul(real(turn[2][r]), g.z));
+        };
+        return {row(0), row(1), row(2)};
+    }
+
+    /// The optical depth of stretches at whose middles, u, opacity also depends on the gradient.
+    HWY_NOINLINE Real steepened(Mask visible, Real u, Real depth, Real length) const {
+        const SteepnessTable& table = *volume_.steepness;
+        const Real3 g = turnedBy(volume_.ownTurn, differences(visible, u));
+        const Real magnitude = hn::Sqrt(dot(g, g));
+        const Real inside = hn::Min(hn::Mul(magnitude, real(table.scale)), real(float(table.last)));
+        // Of voxels that are not numbers there is none.
+        const Real below = hn::Floor(hn::IfThenElseZero(hn::And(visible, hn::Eq(inside, inside)), inside));
+        const Places at = placesOf(wholeOf(below)), next = placesOf(hn::Add(at.index, whole(1)));
+        const Real factor =
+            lerp(realsAt(table.factor.data(), at), realsAt(table.factor.data(), next), hn::Sub(inside, below));
+        // Of an opacity distance, in which opacity is meant.
+        const Real distances = hn::Max(hn::Mul(length, real(volume_.unit)), real(1e-20F));
+        const Real through = exp2(hn::Mul(hn::Div(depth, distances), real(-1.44269504F)));
+        const Real opacity = hn::Min(hn::Mul(hn::Sub(real(1), through), factor), real(0.9999F));
+        const Real extinction = hn::Mul(log2(hn::Sub(real(1), opacity)), real(-0.69314718F));
+        return hn::Mul(hn::Max(extinction, hn::Zero(F())), distances);
+    }
+
+    /// Differences of one voxel at u.
+    HWY_INLINE Real3 differences(Mask lit, Real u) const {
         const Place place = placeOf(positionAt(u));
         const bool thin = access_.size[0] < 4 || access_.size[1] < 4 || access_.size[2] < 4;
         Real3 g{hn::Zero(F()), hn::Zero(F()), hn::Zero(F())};
@@ -320,13 +355,7 @@ private:
             faces = hn::And(lit, atFaces(access_, place));
         }
         if (HWY_UNLIKELY(!hn::AllFalse(F(), faces))) g = differencesAtFaces(faces, place, g);
-        if (volume_.cells) return turnedByCells(lit, u, g);
-        const auto& m = volume_.turn;
-        const auto row = [&](std::size_t r) HWY_ATTR {
-            return hn::Add(hn::Add(hn::Mul(real(m[0][r]), g.x), hn::Mul(real(m[1][r]), g.y)),
-                           hn::Mul(real(m[2][r]), g.z));
-        };
-        return {row(0), row(1), row(2)};
+        return g;
     }
 
     /// Gradients turned by what the corners of each lane's cell say, interpolated at u.

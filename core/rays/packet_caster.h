@@ -42,8 +42,17 @@ struct PacketVolume {
     /// else they are straight in index space, and `turn` does.
     const PacketCells* cells = nullptr;
     GradientTurn turn{};
+    /// Where set, opacity also depends on the gradient in the volume's own space, which `ownTurn` leads to; `unit` is
+    /// the step in opacity distances.
+    const SteepnessTable* steepness = nullptr;
+    GradientTurn ownTurn{};
+    float unit = 1;
     PacketLight light;
 };
+
+struct VolumeLook;
+/// The volume of `look`, but for cells, turn and light.
+PacketVolume packetVolume(const VolumeLook& look);
 
 /// Whether rays through `volume` can be cast in packets: channel 0 of one, at least two samples an axis, within what
 /// 32-bit offsets reach, in a type that single precision holds well.

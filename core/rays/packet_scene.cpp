@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/fields/grid_view.h"
 #include "core/fields/voxel_type.h"
 #include "core/rays/packet_caster.h"
+#include "core/rays/volume_look.h"
 
 namespace voledit {
 
@@ -54,6 +56,17 @@ VoxelAccess voxelAccess(const Volume& volume) {
             break;
     }
     return access;
+}
+
+PacketVolume packetVolume(const VolumeLook& look) {
+    PacketVolume result;
+    result.volume = look.volumeTerm().volume.get();
+    result.table = &look.table;
+    result.skip = &look.skip();
+    if (!look.steepness.factor.empty()) result.steepness = &look.steepness;
+    result.ownTurn = gradientTurn(glm::transpose(Mat3(result.volume->indexFromWorld())));
+    result.unit = static_cast<float>(look.unit);
+    return result;
 }
 
 std::array<float, 3> differencesAt(const Volume& volume, const std::array<float, 3>& x) {

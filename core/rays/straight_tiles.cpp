@@ -31,14 +31,9 @@ public:
           domain_(look_->volumeTerm().volume->grid().indexDomain()),
           step_(scene.stepLength()),
           background_(scene.render.background) {
-        const VolumeTerm& node = look_->volumeTerm();
-        volume_.volume = node.volume.get();
-        volume_.table = &look_->table;
-        volume_.skip = &look_->skip();
+        volume_ = packetVolume(*look_);
         volume_.light = packetLight(scene, surroundings_);
-        const Mat3 m = glm::transpose(Mat3(indexFromWorld));
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) volume_.turn[std::size_t(c)][std::size_t(r)] = static_cast<float>(m[c][r]);
+        volume_.turn = gradientTurn(glm::transpose(Mat3(indexFromWorld)));
         const double side = double(1 << look_->skip().shift);
         visible_ = intersect(domain_, {side * Vec3(look_->skip().first), side * Vec3(look_->skip().end)});
     }

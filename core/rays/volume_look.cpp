@@ -21,8 +21,7 @@ bool whole(VoxelType type) {
 }  // namespace
 
 bool packable(const VolumeTerm& term) {
-    return term.interpolation == Interpolation::Linear && term.channel == 0 && packable(*term.volume) &&
-           term.appearance.gradientOpacity.points.empty();
+    return term.interpolation == Interpolation::Linear && term.channel == 0 && packable(*term.volume);
 }
 
 std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
@@ -34,6 +33,7 @@ std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
     const VolumeTerm& node = look->volumeTerm();
     const ValueBricks& bricks = node.volume->bricks(node.channel);
     look->table = makeOpticalTable(node.appearance, rangeOf(bricks), whole(node.volume->type()), unit);
+    look->steepness = makeSteepnessTable(node.appearance.gradientOpacity);
     look->grid = previous && previous->term == term
                      ? previous->grid
                      : std::make_shared<const SkipGrid>(makeSkipGrid(bricks, look->table));

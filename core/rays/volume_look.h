@@ -14,13 +14,14 @@ struct VolumeLook {
     TermPtr term;     // a VolumeTerm; keeps it
     double unit = 1;  // the step, opacity distances
     OpticalTable table;
+    SteepnessTable steepness;
     std::shared_ptr<const SkipGrid> grid;
 
     const SkipGrid& skip() const { return *grid; }
     const VolumeTerm& volumeTerm() const { return std::get<VolumeTerm>(term->node); }
 };
 
-/// True for volumes that packets draw as written: linear, packable(), without opacity by steepness.
+/// True for volumes that packets draw as written: linear and packable().
 bool packable(const VolumeTerm& term);
 
 /// The look of a VolumeTerm that is packable(); `previous` (may be null) if that is it. Where only `unit` differs its

@@ -156,16 +156,26 @@ TEST(RayRenderer, RigsShadowsAndOcclusionAreTheReferences) {
             }
 }
 
+TEST(RayRenderer, OpacityBySteepness) {
+    TransferFunction steep = bands();
+    steep.gradientOpacity.points = {{50, 0}, {120, 0.3}, {200, 1}};
+    const Mat4 stretched = placementMatrix(Vec3(-1), Vec3(0), Vec3(1.2, 1, 0.8) * (2.0 / 32));
+    const TermPtr volume = makeVolumeTerm(typed<std::uint8_t>(Index3(33), stretched), 0, steep);
+    const TermPtr bent = makeTransferTerm(bentLattice(0.25, 6), volume, Combine::Union, "");
+    for (const TermPtr& term : {volume, bent}) {
+        CompiledScene scene = sceneOf(term, kOblique, 0.05);
+        scene.opacityDistance = 0.15;
+        EXPECT_NE(drawn(scene).pixels, castRays(scene, kSize).pixels);  // in packets
+        EXPECT_GT(psnr(drawn(scene), reference(scene)), 44);
+        EXPECT_GT(psnr(drawn(lit(scene)), reference(lit(scene))), 40);
+    }
+}
+
 TEST(RayRenderer, OtherTermsGoTheReferencesWay) {
     const TermPtr volume = makeVolumeTerm(typed<std::uint8_t>(Index3(20), unitGrid(20)), 0, bands());
     const TermPtr ball = solid(SphereShape{Vec3(0.2, -0.3, 0.1), 0.7}, Vec3(1, 0.4, 0.2), "0.6");
-    TransferFunction steep = bands();
-    steep.gradientOpacity.points = {{0, 0}, {200, 1}};
     const std::vector<TermPtr> terms{
-        ball,
-        makeCvgTerm(CvgOperator::Difference, {volume, ball}),
-        fields("0.5 * (x > 0)", Vec3(0.2, 0.5, 1)),
-        makeVolumeTerm(typed<std::uint8_t>(Index3(20), unitGrid(20)), 0, steep),
+        ball, makeCvgTerm(CvgOperator::Difference, {volume, ball}), fields("0.5 * (x > 0)", Vec3(0.2, 0.5, 1)),
         makeVolumeTerm(typed<std::uint8_t>(Index3(20), unitGrid(20)), 0, bands(), Interpolation::Cubic),
         makeVolumeTerm(typed<std::uint8_t>(Index3(20), unitGrid(20)), 0, bands(), Interpolation::Nearest)};
     for (const TermPtr& term : terms) {
