@@ -131,7 +131,6 @@ CellRows::CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const
                    const Index3& grid, const Index3& samples)
     : cells_(cells),
       grid_(grid),
-      lastSample_(samples - 1),
       place_(cells.deformed().size()),
       source_(place_.size()),
       blocksAlong_(std::size_t((grid.y + RowBlock::kSide - 1) / RowBlock::kSide)) {
@@ -141,6 +140,7 @@ CellRows::CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const
             source_[v] = transformPoint(indexFromSource, cells.source()[v]);
         }
     });
+    findInside(Vec3(samples - 1));
     const auto forEntries = [&](const auto& body) {
         for (std::uint32_t c = 0; c < cells.cellCount(); ++c) {
             Box3 box;
@@ -168,24 +168,34 @@ CellRows::CellRows(const MappedCells& cells, const Mat4& gridFromDeformed, const
 bool CellRows::boxOf(std::uint32_t n, const RowBlock& block, Piece& piece) const {
     if (cells_.determinants()[n] == 0) return false;
     const auto& t = cells_.tetrahedra()[n];
-    Vec3 low = place_[t[0]], high = low, lowSource = source_[t[0]], highSource = lowSource;
+    Vec3 low = place_[t[0]], high = low;
     for (std::size_t v = 1; v < 4; ++v) {
         low = glm::min(low, place_[t[v]]);
         high = glm::max(high, place_[t[v]]);
-        lowSource = glm::min(lowSource, source_[t[v]]);
-        highSource = glm::max(highSource, source_[t[v]]);
     }
     const Vec3 from(0, block.firstRow(), block.firstSlice());
     const Vec3 to(grid_.x, block.firstRow() + block.rows(), block.firstSlice() + block.slices());
-    piece.inside = true;
-    for (int a = 0; a < 3; ++a) {
+    for (int a = 2; a >= 0; --a) {
+        if (high[a] < from[a] - 0.01 || low[a] > to[a] - 0.99) return false;
         piece.first[a] = int(std::clamp(std::ceil(low[a] - 0.01), from[a], to[a]));
         piece.end[a] = int(std::clamp(std::floor(high[a] + 0.01) + 1, from[a], to[a]));
         if (piece.first[a] >= piece.end[a]) return false;
-        piece.inside =
-            piece.inside && lowSource[a] >= -0.5 * kInside && highSource[a] <= lastSample_[a] + 0.5 * kInside;
     }
+    piece.inside = inside_[n / cells_.tetrahedraPerCell()] != 0;
     return true;
+}
+
+void CellRows::findInside(const Vec3& lastSample) {
+    inside_.resize(cells_.cellCount());
+    parallelFor(inside_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c) {
+            Box3 box;
+            for (const std::uint32_t v : cells_.cellVertices(c)) box = join(box, source_[v]);
+            inside_[c] = 1;
+            for (int a = 0; a < 3; ++a)
+                if (!(box.min[a] >= -0.5 * kInside && box.max[a] <= lastSample[a] + 0.5 * kInside)) inside_[c] = 0;
+        }
+    });
 }
 
 void CellRows::facesOf(std::uint32_t n, Piece& piece) const {

@@ -82,6 +82,7 @@ public:
 
 private:
     struct Piece;
+    void findInside(const Vec3& lastSample);
     bool boxOf(std::uint32_t tetrahedron, const RowBlock& block, Piece& piece) const;
     void facesOf(std::uint32_t tetrahedron, Piece& piece) const;
     static void addDoubtful(const RowIntervals& found, std::size_t row, bool all, Index2 at, const Piece& piece,
@@ -93,7 +94,7 @@ private:
 
     const MappedCells& cells_;
     Index3 grid_;
-    Vec3 lastSample_;                     // of the volume
+    std::vector<char> inside_;            // of the cells: 1 where all samples lie in the volume
     std::vector<Vec3> place_, source_;    // of the vertices: indices of the grid, of the volume
     std::size_t blocksAlong_;             // along j
     std::vector<std::uint32_t> starts_;   // of each block's list in entries_; one more at the end

@@ -29,19 +29,29 @@ struct Bounds {
     Double low, high;
 };
 
-/// Cuts off what lies beyond face f: where rest + x · i is less than `least`.
-HWY_INLINE void cut(const HalfSpaces& piece, std::size_t f, Double rest, double least, Bounds& bounds) {
-    const Double missing = hn::Sub(hn::Set(D(), least), rest);
-    const double x = piece.x[f];
+/// A face over some rows of a slice.
+struct Face {
+    Double missing;  // guard − (c + y·j + z·k): what x·i must make up for
+    Double perX;
+    Double twice;  // how much further the voxels in doubt reach, voxels
+};
+
+/// Cuts off what lies beyond a face, which bounds rows from below (x > 0), from above, or not at all (x = 0).
+HWY_INLINE void cut(const Face& face, double x, double guard, Bounds& sure, Bounds& may) {
     if (HWY_UNLIKELY(x == 0)) {
-        bounds.low = hn::IfThenElse(hn::Gt(missing, hn::Zero(D())), hn::Set(D(), kFar), bounds.low);
+        const Double far = hn::Set(D(), kFar);
+        sure.low = hn::IfThenElse(hn::Gt(face.missing, hn::Zero(D())), far, sure.low);
+        may.low = hn::IfThenElse(hn::Gt(face.missing, hn::Set(D(), 2 * guard)), far, may.low);
         return;
     }
-    const Double at = hn::Mul(missing, hn::Set(D(), piece.perX[f]));
-    if (x > 0)
-        bounds.low = hn::Max(bounds.low, at);
-    else
-        bounds.high = hn::Min(bounds.high, at);
+    const Double at = hn::Mul(face.missing, face.perX), further = hn::Sub(at, face.twice);
+    if (x > 0) {
+        sure.low = hn::Max(sure.low, at);
+        may.low = hn::Max(may.low, further);
+    } else {
+        sure.high = hn::Min(sure.high, at);
+        may.high = hn::Min(may.high, further);
+    }
 }
 
 /// To whole voxels, `last` being that of the rows.
@@ -62,31 +72,38 @@ HWY_INLINE unsigned bitsOf(hn::Mask<D> mask) {
 }
 
 void intervals(const HalfSpaces& piece, int j, int rows, int k, int length, std::span<RowIntervals> result) {
+    constexpr std::size_t kFaces = HalfSpaces::kMost;
     const auto lanes = static_cast<int>(hn::Lanes(D()));
-    for (RowIntervals& slice : result) {
-        slice.any = slice.plain = 0;
-        for (int row = 0; row < rows; row += lanes) {
-            const Double at = hn::Iota(D(), j + row);
+    for (RowIntervals& slice : result) slice.any = slice.plain = 0;
+    for (int row = 0; row < rows; row += lanes) {
+        Face faces[kFaces];
+        for (std::size_t f = 0; f < kFaces; ++f) {
+            const Double rest = hn::Add(hn::Mul(hn::Set(D(), piece.y[f]), hn::Iota(D(), j + row)),
+                                        hn::Set(D(), piece.c[f] + piece.z[f] * k));
+            faces[f] = {hn::Sub(hn::Set(D(), piece.guard[f]), rest), hn::Set(D(), piece.perX[f]),
+                        hn::Set(D(), 2 * piece.guard[f] * piece.perX[f])};
+        }
+        for (RowIntervals& slice : result) {
             Bounds sure{hn::Zero(D()), hn::Set(D(), kFar)}, may = sure;
-            for (std::size_t f = 0; f < HalfSpaces::kMost; ++f) {
-                const Double rest =
-                    hn::Add(hn::Set(D(), piece.c[f] + piece.z[f] * k), hn::Mul(hn::Set(D(), piece.y[f]), at));
-                cut(piece, f, rest, piece.guard[f], sure);
-                cut(piece, f, rest, -piece.guard[f], may);
+            for (std::size_t f = 0; f < kFaces; ++f) {
+                cut(faces[f], piece.x[f], piece.guard[f], sure, may);
+                faces[f].missing = hn::Sub(faces[f].missing, hn::Set(D(), piece.z[f]));
             }
             const auto to = static_cast<std::size_t>(row);
             sure = wholeOf(sure, length - 1);
             may = wholeOf(may, length - 1);
+            const auto any = hn::Le(may.low, may.high);
+            if (hn::AllFalse(D(), any)) continue;
             store(sure, &slice.first[to], &slice.last[to]);
             store(may, &slice.mayFirst[to], &slice.mayLast[to]);
-            const auto any = hn::Le(may.low, may.high);
             const auto same = hn::And(hn::Eq(sure.low, may.low), hn::Eq(sure.high, may.high));
             slice.any |= bitsOf(any) << row;
             slice.plain |= bitsOf(hn::And(any, same)) << row;
         }
+    }
+    for (RowIntervals& slice : result) {
         slice.any &= (1U << rows) - 1;
         slice.plain &= slice.any;
-        ++k;
     }
 }
 
