@@ -1,11 +1,11 @@
 #version 450 core
 // march.frag: one fragment walks its whole view ray through one volume.
-// The ray is cut at whole numbers of steps from where it enters the volume; STEPS of them make a block. Blocks in which
+// The ray is cut at whole numbers of steps from where it enters the volume; some of them make a block. Blocks in which
 // nothing can be seen are passed at a stride; of the others the scalar is taken at every step, is linear between, and each
 // stretch between two steps takes optical depth and colour from the integrated table. Software renderers run every branch of
 // a loop's body for all fragments of a group, so what is dear stands after a loop that goes on until all of the group need
 // it or are through.
-//   variants  STEPS=n      steps of a block
+//   variants  STEPS=n      values taken for a block: as many steps, one less at its first
 //             SHADED       Blinn-Phong by the gradient, where a stretch is seen
 //             REAL_VOXELS  the volume holds floats, which may be NaN: nothing is seen there
 //             BAKED        the volume lies under a map, known at the nodes of a grid (core/eval/baked_map.h)
@@ -28,14 +28,16 @@ struct Block {
 };
 
 // Takes the values of the block at u. False only if nothing is seen in it.
-bool sampleBlock(Ray ray, float u, inout Block block) {
+// first  the steps that its first value, after the one at its beginning, is away from there: 1, or 0 where that is not
+//        known, as the block does not follow another one; it is a step shorter then
+bool sampleBlock(Ray ray, float u, float first, inout Block block) {
     vec2 within = nextLine(ray, u, block.line);
-    block.bin[0] = block.bin[STEPS];
+    block.bin[0] = first > 0.0 ? block.bin[STEPS] : -1;
     block.at[0] = within.x;
     int low = block.bin[0] < 0 ? 1 << 20 : block.bin[0];
     int high = block.bin[0];
     for (int s = 1; s <= STEPS; ++s) {
-        block.at[s] = clamp(float(s), within.x, within.y);
+        block.at[s] = clamp(first + float(s - 1), within.x, within.y);
         float raw = rawAt(indexOn(block.line, block.at[s]));
         int bin = binOf(raw);
         low = min(low, bin);
@@ -113,6 +115,7 @@ void main() {
     vec3 seen = vec3(0.0);
     float through = 1.0;
     float u = ray.first;
+    float begin = 0.0;     // of the block
     bool follows = false;  // the block before was looked at, too
     Block block;
     block.bin[STEPS] = -1;
@@ -124,9 +127,16 @@ void main() {
             follows = follows && to == u;
             u = to;
             if (u >= ray.last) break;
-            any = sampleBlock(ray, u, block) && follows;
-            follows = true;
+            begin = u;
+#ifdef BAKED
+            any = sampleBlock(ray, u, 1.0, block) && follows;
             u += float(STEPS);
+#else
+            float first = follows ? 1.0 : 0.0;
+            any = sampleBlock(ray, u, first, block);
+            u += float(STEPS - 1) + first;
+#endif
+            follows = true;
             if (any) break;
         }
         if (!any) break;
@@ -134,13 +144,13 @@ void main() {
         // Stretches that absorb, as bits: the gradient is taken of no others.
         int absorbing = absorbingStretches(block);
         while (absorbing != 0) {
-            composite(ray, block, u - float(STEPS), nextStretch(block, absorbing), seen, through);
+            composite(ray, block, begin, nextStretch(block, absorbing), seen, through);
             if (through <= least) break;
         }
 #else
         for (int s = 0; s < STEPS; ++s) {
             Stretch stretch = Stretch(block.bin[s], block.bin[s + 1], block.at[s], block.at[s + 1]);
-            composite(ray, block, u - float(STEPS), stretch, seen, through);
+            composite(ray, block, begin, stretch, seen, through);
         }
 #endif
         if (through <= least) break;

@@ -20,7 +20,7 @@ struct Ray {
     vec3 start;      // place at u = 0
     vec3 perStep;
     vec3 inverse;    // steps a cell
-    float first;     // u: whole blocks from 0 on; the last before anything can be seen …
+    float first;     // u: a whole number before anything can be seen; BAKED: of whole blocks, and one more before …
     float last;      // … and where that ends
     float end;       // where the ray leaves the box
     float unit;      // opacity distances a step
@@ -54,15 +54,19 @@ Ray viewRay(vec2 window) {
     ray.perStep = stepDepth * perDepth;
     ray.inverse = 1.0 / (ray.perStep * cellsPerPlace);
     ray.end = (box.y - box.x) / stepDepth;
+#ifdef BAKED
     ray.first = max(floor((visible.x - box.x) / (stepDepth * float(STEPS))) - 1.0, -1.0) * float(STEPS);
+#else
+    ray.first = max(floor((visible.x - box.x) / stepDepth), 0.0);
+#endif
     ray.last = min((visible.y - box.x) / stepDepth, ray.end);
     if (!(visible.x < visible.y)) ray.last = ray.first;
     ray.unit = stepLength / opacityDistance;
     return ray;
 }
 
-// The last block from u on before one that has to be looked at, or the ray's end. A cell's distance tells of all cells about
-// it up to that, so the ray goes on to where it leaves these, less a block, whose end the next one begins with.
+// The last step from u on before one that has to be looked at, or the ray's end. A cell's distance tells of all cells about
+// it up to that, so the ray goes on to where it leaves these. BAKED: in whole blocks, less one, whose end the next begins with.
 float stride(Ray ray, float u) {
     vec3 lastCell = vec3(textureSize(distances, 0) - 1);
     while (u < ray.last) {
@@ -71,9 +75,15 @@ float stride(Ray ray, float u) {
         float distance = float(texelFetch(distances, ivec3(cell), 0).r);
         vec3 leave = (cell + 0.5 - at) * ray.inverse + (distance - 0.5) * abs(ray.inverse);
         // A little less, for rounding.
-        float blocks = floor((min(min(leave.x, leave.y), leave.z) - 0.001) / float(STEPS)) - 1.0;
-        if (distance == 0.0 || blocks < 1.0) break;
-        u += blocks * float(STEPS);
+        float steps = min(min(leave.x, leave.y), leave.z) - 0.001;
+#ifdef BAKED
+        steps = (floor(steps / float(STEPS)) - 1.0) * float(STEPS);
+#else
+        steps = floor(steps);
+#endif
+        // A single step is not worth a new beginning.
+        if (distance == 0.0 || steps < min(2.0, float(STEPS))) break;
+        u += steps;
     }
     return u;
 }
