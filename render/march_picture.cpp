@@ -31,10 +31,10 @@ MarchPicture::MarchPicture(SliceWorkshop& workshop, const CompiledScene& scene, 
         std::size_t(cells.count().x) * std::size_t(cells.count().y) * std::size_t(cells.count().z) - cells.size();
     findPlaces();
     layOut();
-    program_ = &workshop.shaders.get(marchVariant({.baked = plan_.forward != nullptr,
+    program_ = &workshop.shaders.get(marchVariant({.baked = workshop.march.grid() != nullptr,
                                                    .shaded = scene.render.shading,
                                                    .realVoxels = isReal(plan_.volume->volume->type()),
-                                                   .steps = stepsOfBlock()}));
+                                                   .steps = workshop.march.stepsOfBlock()}));
     setVolumeUniforms();
     setUniforms(scene);
     statistics_.programsCompiled = workshop.shaders.compiled();
@@ -51,13 +51,6 @@ void MarchPicture::findPlaces() {
     }
     visible_ = intersect(
         box_, {march.cellSide() * Vec3(march.cells().first()) - 0.5, march.cellSide() * Vec3(march.cells().end())});
-}
-
-int MarchPicture::stepsOfBlock() const {
-    const BakeGrid* grid = workshop_.march.grid();
-    // A ray is taken for straight within a block.
-    if (!grid) return 4;
-    return step_ <= 0.3 * grid->cell ? 4 : step_ <= 0.6 * grid->cell ? 2 : 1;
 }
 
 void MarchPicture::layOut() {
@@ -114,6 +107,8 @@ void MarchPicture::setVolumeUniforms() {
     const BakeGrid* baked = workshop_.march.grid();
     if (!baked) return;
     p.set("map", 5);
+    // Cells are cut off by their source alone, other maps half-way to nodes where they are undefined.
+    p.set("known", plan_.forward ? 0.999F : (1 + BakedMap::kContinued) / 2);
     p.set("jacobianX", 6);
     p.set("jacobianY", 7);
     p.set("jacobianZ", 8);

@@ -25,7 +25,6 @@ public:
 private:
     void findPlaces();
     void layOut();
-    int stepsOfBlock() const;
     void setUniforms(const CompiledScene& scene);
     void setVolumeUniforms();
     void drawTiles(Index2 first, Index2 end);

@@ -1,6 +1,8 @@
 #include "render/march_resources.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "core/base/parallel.h"
 #include "core/stf/mapped_cells.h"
@@ -67,26 +69,67 @@ std::array<Texture, 3> makeJacobians(const BakedMap& map) {
     return {makeNodes(size, columns[0]), makeNodes(size, columns[1]), makeNodes(size, columns[2])};
 }
 
-Box3 worldBounds(const MarchPlan& plan) {
-    Box3 box;
-    for (const Vec3& p : plan.forward->by->cells()->deformed())
-        box = join(box, transformPoint(plan.worldFromDeformed, p));
-    return box;
+std::vector<TransferPtr> mapsOf(const MarchPlan& plan) {
+    return plan.forward ? std::vector<TransferPtr>{plan.forward->by} : plan.chain;
 }
+
+/// Bakes what a plan's map is: cells, or a chain of anything.
+class MapBaker {
+public:
+    MapBaker(const MarchPlan& plan, std::function<bool(const Box3&)> wanted) : plan_(plan) {
+        if (plan.forward)
+            cells_ =
+                BakedCells{plan.forward->by->cells(), plan.worldFromDeformed, plan.indexFromSource, std::move(wanted)};
+    }
+
+    /// World box of what may be seen.
+    Box3 bounds(const VisibleBricks& bricks) const {
+        if (!cells_) return boundsOfChain(bricks);
+        Box3 box;
+        for (const Vec3& p : cells_->cells->deformed()) box = join(box, transformPoint(plan_.worldFromDeformed, p));
+        return box;
+    }
+    BakedMap bake(const BakeGrid& grid) const {
+        return cells_ ? voledit::bake(*cells_, grid) : voledit::bake(exact(), grid);
+    }
+    double error(const BakedMap& map, const std::vector<std::uint8_t>& seen, double straight) const {
+        return cells_ ? bakeError(map, *cells_, seen, straight) : bakeError(map, exact(), seen, straight);
+    }
+
+private:
+    /// A term's box may be far too large after some maps: what is seen of it is found by a coarse grid.
+    Box3 boundsOfChain(const VisibleBricks& bricks) const {
+        const BakeGrid coarse = bakeGrid(plan_.root->bounds, 40);
+        const SeenCells seen = seenCells(voledit::bake(exact(), coarse), bricks, plan_.clip);
+        const BrickSet cells = mergedCells(coarse.nodes - 1, seen.seen, 0);
+        if (cells.empty()) return plan_.root->bounds;
+        const Box3 box{coarse.origin + coarse.cell * (Vec3(cells.first()) - 1.0),
+                       coarse.origin + coarse.cell * (Vec3(cells.end()) + 1.0)};
+        return intersect(box, plan_.root->bounds);
+    }
+    PlaceMap exact() const {
+        return [this](std::span<const Vec3> p, std::span<Vec3> place) { mapChain(plan_, p, place); };
+    }
+
+    const MarchPlan& plan_;
+    std::optional<BakedCells> cells_;
+};
 
 }  // namespace
 
 bool MarchResources::prepare(const MarchPlan& plan, const BakeRequest& request) {
     prepareLook(*plan.volume, request.cull);
-    if (!plan.forward) {
+    if (!plan.forward && plan.chain.empty()) {
         baked_.reset();
         return true;
     }
     if (holds(plan, request)) return baked_->good;
-    baked_.emplace(Baked{plan.forward->by, plan.worldFromDeformed, plan.indexFromSource, request});
+    Baked made{{}, plan.worldFromDeformed, plan.indexFromSource, request};
+    for (const TransferPtr& map : mapsOf(plan)) made.source.push_back(map);
+    baked_ = std::move(made);
     // Finer ones are paid for only where they are needed.
     for (const int most : {64, 96, 128})
-        if (bakeFinely(plan, request, most)) return true;
+        if (!baked_->hopeless && bakeFinely(plan, request, most)) return true;
     return false;
 }
 
@@ -117,32 +160,42 @@ void MarchResources::prepareLook(const VolumeTerm& term, bool cull) {
 }
 
 bool MarchResources::holds(const MarchPlan& plan, const BakeRequest& request) const {
-    if (!baked_ || baked_->source.lock() != plan.forward->by || baked_->worldFromDeformed != plan.worldFromDeformed ||
+    const auto maps = mapsOf(plan);
+    if (!baked_ || baked_->source.size() != maps.size() || baked_->worldFromDeformed != plan.worldFromDeformed ||
         baked_->indexFromSource != plan.indexFromSource)
         return false;
-    if (baked_->good && request.step > 2 * baked_->grid.cell) return false;
+    for (std::size_t n = 0; n < maps.size(); ++n)
+        if (baked_->source[n].lock() != maps[n]) return false;
     // One made for a picture at rest serves moving ones.
-    return baked_->request.moving == request.moving || (baked_->good && request.moving);
+    if (request.moving && baked_->good) return request.step <= baked_->request.step;
+    return baked_->request.moving == request.moving && baked_->request.step == request.step;
 }
 
 bool MarchResources::bakeFinely(const MarchPlan& plan, const BakeRequest& request, int most) {
-    const Box3 bounds = worldBounds(plan);
+    const VisibleBricks& bricks = look_->bricks;
+    const auto wanted = [&](const Box3& box) { return !request.cull || bricks.any(box); };
+    const MapBaker baker(plan, wanted);
+    const Box3 bounds = baker.bounds(bricks);
     const Vec3 size = bounds.size();
     // A step may pass two cells at most, as far as the map is continued beyond its faces.
-    const double longest = std::max({size.x, size.y, size.z});
-    most = std::min(most, int(std::min(2 * longest / request.step, 1e6)) + 2 * kBakeBorder + 1);
-    const BakeGrid grid = bakeGrid(bounds, std::max(most, 2 * kBakeBorder + 2));
-    const VisibleBricks& bricks = look_->bricks;
-    BakedCells cells{plan.forward->by->cells(), plan.worldFromDeformed, plan.indexFromSource,
-                     [&](const Box3& box) { return !request.cull || bricks.any(box); }};
-    BakedMap map = bake(cells, grid);
+    const double cells = std::min(2 * std::max({size.x, size.y, size.z}) / request.step, double(most));
+    const BakeGrid grid = bakeGrid(bounds, std::clamp(int(cells) + 2 * kBakeBorder + 1, 2 * kBakeBorder + 2, most));
+    BakedMap map = baker.bake(grid);
     SeenCells seen = seenCells(map, bricks, plan.clip);
-    if (!seen.known) {
-        cells.wanted = [](const Box3&) { return true; };
-        map = bake(cells, grid);
+    if (!seen.known && plan.forward) {
+        map = MapBaker(plan, [](const Box3&) { return true; }).bake(grid);
         seen = seenCells(map, bricks, plan.clip);
     }
-    if (!request.moving && !(bakeError(map, cells, seen.seen) <= kLargestError)) return false;
+    const auto errorOf = [&](double straight) { return request.moving ? 0 : baker.error(map, seen.seen, straight); };
+    const double error = seen.known || !plan.forward ? errorOf(0) : request.moving ? 0 : kInfinity;
+    baked_->hopeless = !std::isfinite(error);
+    if (!(error <= kLargestError)) return false;
+    // Blocks of rays are straight; the map is continued by two cells beyond its faces.
+    baked_->steps = 1;
+    for (const int steps : {4, 2})
+        if (baked_->steps == 1 && steps * request.step <= kBakeBorder * grid.cell &&
+            errorOf(steps * request.step) <= kLargestError)
+            baked_->steps = steps;
     const bool many = seen.seen.size() > kMostCells;
     baked_->cells = mergedCells(grid.nodes - 1, seen.seen, many);
     if (!request.cull) baked_->cells = wholeSet(baked_->cells.count());

@@ -38,6 +38,8 @@ public:
     double cellSide() const { return baked_ ? baked_->side : look_->bricks.side(); }
     /// The grid of the map; null where there is none.
     const BakeGrid* grid() const { return baked_ ? &baked_->grid : nullptr; }
+    /// Steps that rays may go straight.
+    int stepsOfBlock() const { return baked_ ? baked_->steps : 4; }
     /// Binds the tables to texture units 1 … 3, the cells' distances to 4, the map and its Jacobians to 5 … 8.
     void bind() const;
 
@@ -53,13 +55,15 @@ private:
         Texture next, depth, color, distances;
     };
     struct Baked {
-        std::weak_ptr<const SpatialTransferFunction> source;
+        std::vector<std::weak_ptr<const SpatialTransferFunction>> source;
         Mat4 worldFromDeformed, indexFromSource;
         BakeRequest request;
-        bool good = false;  // else it is not to be used
+        bool good = false;      // else it is not to be used
+        bool hopeless = false;  // finer grids would not do, either: it is undefined where something is seen
         BakeGrid grid = {};
         BrickSet cells = {};
         double side = 1;
+        int steps = 1;
         Texture nodes = {}, distances = {};
         std::array<Texture, 3> jacobian = {};
     };

@@ -23,7 +23,7 @@ uniform float least;  // what is let through of the light behind, below which a 
 // The steps of one block. Its beginning is the end of the one before.
 struct Block {
     Line line;
-    float at[STEPS + 1];  // steps from its beginning
+    float at[STEPS + 1];  // on the line
     int bin[STEPS + 1];   // -1: there is no value
 };
 
@@ -37,7 +37,7 @@ bool sampleBlock(Ray ray, float u, float first, inout Block block) {
     int low = block.bin[0] < 0 ? 1 << 20 : block.bin[0];
     int high = block.bin[0];
     for (int s = 1; s <= STEPS; ++s) {
-        block.at[s] = clamp(first + float(s - 1), within.x, within.y);
+        block.at[s] = clamp(blockBegin(u) + first + float(s - 1), within.x, within.y);
         float raw = rawAt(indexOn(block.line, block.at[s]));
         int bin = binOf(raw);
         low = min(low, bin);
@@ -89,8 +89,8 @@ Stretch nextStretch(Block block, inout int absorbing) {
 }
 #endif
 
-// Composites a stretch of the block at u under what is seen already.
-void composite(Ray ray, Block block, float u, Stretch stretch, inout vec3 seen, inout float through) {
+// Composites a stretch of the block that begins at a u under what is seen already.
+void composite(Ray ray, Block block, float begin, Stretch stretch, inout vec3 seen, inout float through) {
     vec2 ends;
     vec4 what = between(max(stretch.from, 0), max(stretch.to, 0), ends);
     float depth = what.a * (stretch.end - stretch.begin) * ray.unit;
@@ -100,7 +100,7 @@ void composite(Ray ray, Block block, float u, Stretch stretch, inout vec3 seen, 
     float weight = through * (1.0 - exp(-depth));
 #ifdef SHADED
     float place = mix(stretch.begin, stretch.end, meanPlace(ends, depth));
-    vec3 gradient = worldGradient(ray, u + place, rawDifferencesAt(indexOn(block.line, place)));
+    vec3 gradient = worldGradient(ray, begin - blockBegin(begin) + place, rawDifferencesAt(indexOn(block.line, place)));
     vec2 light = reflected(gradient, ray.direction, vec2(1.0));
     what.rgb = what.rgb * light.x + light.y;
 #endif

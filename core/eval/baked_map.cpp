@@ -69,9 +69,9 @@ std::vector<GridTetrahedron> wantedTetrahedra(const BakedCells& from, const Bake
                 box = join(box, q[c]);
             }
             if (!setUp(at, q, made[n])) continue;
-            // Rays are straight from a node's cell to another one, two cells away.
+            // Rays are straight from a node's cell to another one two cells away, and cells differ in how they stretch.
             const Mat3& j = made[n].placeRate;
-            const Vec3 reach = 3.0 * (glm::abs(j[0]) + glm::abs(j[1]) + glm::abs(j[2])) + 1.0;
+            const Vec3 reach = 5.0 * (glm::abs(j[0]) + glm::abs(j[1]) + glm::abs(j[2])) + 1.0;
             taken[n] = from.wanted({box.min - reach, box.max + reach});
         }
     });
@@ -114,8 +114,8 @@ void fillLayer(const std::vector<GridTetrahedron>& tetrahedra, int k, BakedMap& 
     }
 }
 
-/// Continues runs of known nodes along a line linearly by kBakeBorder nodes at both ends.
-void continueLine(Vec4f* line, std::size_t stride, int count) {
+/// Continues runs of known nodes along a line linearly by kBakeBorder nodes at both ends, which get `mark`.
+void continueLine(Vec4f* line, std::size_t stride, int count, float mark) {
     const auto at = [&](int n) -> Vec4f& { return line[std::size_t(n) * stride]; };
     /// Gives how many nodes it filled.
     const auto extend = [&](int edge, int direction, bool single) {
@@ -123,7 +123,7 @@ void continueLine(Vec4f* line, std::size_t stride, int count) {
         for (int r = 1; r <= kBakeBorder; ++r) {
             const int n = edge + direction * r;
             if (n < 0 || n >= count || at(n).w > 0) return r - 1;
-            at(n) = Vec4f(Vec3f(at(edge) + float(r) * rate), 1);
+            at(n) = Vec4f(Vec3f(at(edge) + float(r) * rate), mark);
         }
         return kBakeBorder;
     };
@@ -137,19 +137,21 @@ void continueLine(Vec4f* line, std::size_t stride, int count) {
     }
 }
 
-void continueOutwards(BakedMap& map) {
+void continueOutwards(BakedMap& map, float mark) {
     const Index3& nodes = map.grid.nodes;
     const std::size_t row = std::size_t(nodes.x), layer = row * std::size_t(nodes.y);
     parallelFor(std::size_t(nodes.z), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             for (int j = 0; j < nodes.y; ++j)
-                continueLine(map.node.data() + k * layer + std::size_t(j) * row, 1, nodes.x);
-            for (int i = 0; i < nodes.x; ++i) continueLine(map.node.data() + k * layer + std::size_t(i), row, nodes.y);
+                continueLine(map.node.data() + k * layer + std::size_t(j) * row, 1, nodes.x, mark);
+            for (int i = 0; i < nodes.x; ++i)
+                continueLine(map.node.data() + k * layer + std::size_t(i), row, nodes.y, mark);
         }
     });
     parallelFor(std::size_t(nodes.y), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; ++j)
-            for (int i = 0; i < nodes.x; ++i) continueLine(map.node.data() + j * row + std::size_t(i), layer, nodes.z);
+            for (int i = 0; i < nodes.x; ++i)
+                continueLine(map.node.data() + j * row + std::size_t(i), layer, nodes.z, mark);
     });
 }
 
@@ -207,30 +209,48 @@ bool BakedMap::at(const Vec3& p, Vec3& place) const {
     return true;
 }
 
+bool BakedMap::surelyKnownAt(const Vec3& p) const {
+    const Index3 below = glm::clamp(Index3((p - grid.origin) / grid.cell), Index3(0), grid.nodes - 2);
+    for (int c = 0; c < 8; ++c)
+        if (node[grid.indexOf(below + Index3(c & 1, c >> 1 & 1, c >> 2))].w < 1) return false;
+    return true;
+}
+
 BakedMap bake(const BakedCells& cells, const BakeGrid& grid) {
     BakedMap map{grid, std::vector<Vec4f>(grid.nodeCount(), Vec4f(0))};
     const auto tetrahedra = wantedTetrahedra(cells, grid);
     parallelFor(std::size_t(grid.nodes.z), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) fillLayer(tetrahedra, int(k), map);
     });
-    continueOutwards(map);
+    continueOutwards(map, 1);
     return map;
 }
 
-double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector<std::uint8_t>& seen) {
+namespace {
+
+/// How far interpolation is from `exact`, the place of p.
+double errorAt(const BakedMap& map, const Vec3& p, const Vec3& exact, double straight) {
+    Vec3 place;
+    if (straight == 0) return map.at(p, place) ? glm::length(place - exact) : 0;
+    double worst = 0;
+    for (int a = 0; a < 3; ++a) {
+        Vec3 half(0), other;
+        half[a] = straight / 2;
+        if (map.at(p - half, place) && map.at(p + half, other))
+            worst = std::max(worst, glm::length(0.5 * (place + other) - exact));
+    }
+    return worst;
+}
+
+}  // namespace
+
+double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector<std::uint8_t>& seen, double straight) {
     constexpr int kEvery = 4;
-    const Index3 count = map.grid.nodes - 1;
-    const auto tetrahedra = wantedTetrahedra(cells, map.grid);
+    const BakeGrid& grid = map.grid;
+    const Index3 count = grid.nodes - 1;
+    const auto tetrahedra = wantedTetrahedra(cells, grid);
     const std::size_t layers = std::size_t((count.z + kEvery - 1) / kEvery);
     std::vector<double> worst(layers, 0);
-    const auto check = [&](Index3 cell, const Vec3& exact) {
-        if (!seen[std::size_t(cell.x) +
-                  std::size_t(count.x) * (std::size_t(cell.y) + std::size_t(count.y) * std::size_t(cell.z))])
-            return 0.0;
-        Vec3 between;
-        const Vec3 p = map.grid.origin + map.grid.cell * (Vec3(cell) + 0.5);
-        return map.at(p, between) ? glm::length(between - exact) : 0.0;
-    };
     parallelFor(layers, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t layer = begin; layer < end; ++layer) {
             const int k = int(layer) * kEvery;
@@ -238,11 +258,55 @@ double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector
                 if (t.low.z > k + 0.5 || t.high.z < k + 0.5) continue;
                 const int first = std::max(int(std::ceil(t.low.y - 0.5)), 0);
                 const int last = std::min(int(std::floor(t.high.y - 0.5)), count.y - 1);
-                for (int j = first; j <= last; ++j)
+                for (int j = first; j <= last; ++j) {
+                    const std::uint8_t* row =
+                        seen.data() + std::size_t(count.x) * (std::size_t(j) + std::size_t(count.y) * std::size_t(k));
                     fillRow(t, 0.5, j + 0.5, k + 0.5, count.x, [&](int i, const Vec3& exact) {
-                        worst[layer] = std::max(worst[layer], check({i, j, k}, exact));
+                        const Vec3 p = grid.origin + grid.cell * (Vec3(i, j, k) + 0.5);
+                        if (row[i]) worst[layer] = std::max(worst[layer], errorAt(map, p, exact, straight));
                     });
+                }
             }
+        }
+    });
+    return worst.empty() ? 0 : *std::max_element(worst.begin(), worst.end());
+}
+
+BakedMap bake(const PlaceMap& exact, const BakeGrid& grid) {
+    BakedMap map{grid, std::vector<Vec4f>(grid.nodeCount(), Vec4f(0))};
+    parallelFor(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 8, [&](std::size_t begin, std::size_t end) {
+        std::vector<Vec3> p;
+        for (std::size_t row = begin; row < end; ++row)
+            for (int i = 0; i < grid.nodes.x; ++i)
+                p.push_back(grid.origin + grid.cell * Vec3(i, int(row) % grid.nodes.y, int(row) / grid.nodes.y));
+        exact(p, p);
+        Vec4f* node = map.node.data() + begin * std::size_t(grid.nodes.x);
+        for (const Vec3& place : p) {
+            if (isDefined(place)) *node = Vec4f(Vec3f(place), 1);
+            ++node;
+        }
+    });
+    continueOutwards(map, BakedMap::kContinued);
+    return map;
+}
+
+double bakeError(const BakedMap& map, const PlaceMap& exact, const std::vector<std::uint8_t>& seen, double straight) {
+    const BakeGrid& grid = map.grid;
+    const Index3 count = grid.nodes - 1;
+    std::vector<double> worst(std::size_t(count.z), 0);
+    parallelFor(std::size_t(count.z), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            std::vector<Vec3> p, place;
+            const std::uint8_t* flag = seen.data() + k * std::size_t(count.x) * std::size_t(count.y);
+            for (int j = 0; j < count.y; ++j)
+                for (int i = 0; i < count.x; ++i)
+                    if (*flag++) p.push_back(grid.origin + grid.cell * (Vec3(i, j, int(k)) + 0.5));
+            place.resize(p.size());
+            exact(p, place);
+            for (std::size_t n = 0; n < p.size(); ++n)
+                worst[k] = std::max(worst[k], isDefined(place[n]) && map.surelyKnownAt(p[n])
+                                                  ? errorAt(map, p[n], place[n], straight)
+                                                  : kInfinity);
         }
     });
     return worst.empty() ? 0 : *std::max_element(worst.begin(), worst.end());

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/box3.h"
@@ -30,8 +31,10 @@ BakeGrid bakeGrid(const Box3& bounds, int most);
 
 /// At each node the place in the map's result (index coordinates of a volume, say), and 1 where it is known, else 0.
 /// Nodes up to kBakeBorder cells beyond where the map is defined hold its linear continuation, so that cells at its
-/// faces can be interpolated; what lies beyond is for the user to cut off.
+/// faces can be interpolated. Of cells that counts as known, and what lies beyond is for the user to cut off; of other
+/// maps it has kContinued: half-way between that and 1 lies about the face.
 struct BakedMap {
+    static constexpr float kContinued = 0.25F;
     BakeGrid grid;
     std::vector<Vec4f> node;  // i fastest
 
@@ -39,6 +42,8 @@ struct BakedMap {
     Mat3 jacobianAt(Index3 n) const;
     /// Linear between the nodes, at world point p; false where one of the eight is not known.
     bool at(const Vec3& p, Vec3& place) const;
+    /// Whether all eight nodes about p are known, not continued.
+    bool surelyKnownAt(const Vec3& p) const;
 };
 
 /// Mapped cells as a baked map has them.
@@ -56,6 +61,17 @@ BakedMap bake(const BakedCells& cells, const BakeGrid& grid);
 
 /// The largest distance, in places, of what linear interpolation between the nodes gives from the exact map, at centres
 /// of cells (every fourth layer of them) for which `seen` says 1: one flag for each cell of the grid, i fastest.
-double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector<std::uint8_t>& seen);
+/// @param straight  world units: the map is interpolated between places so far apart, half of it to either side of a
+/// centre, along each axis; 0: at the centre
+double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector<std::uint8_t>& seen,
+                 double straight = 0);
+
+/// Any map: place[n] of world point p[n], kUndefined where there is none. Called from many threads.
+using PlaceMap = std::function<void(std::span<const Vec3> p, std::span<Vec3> place)>;
+BakedMap bake(const PlaceMap& exact, const BakeGrid& grid);
+/// The same error, of all layers; infinite where the map is undefined at the centre of a cell, or a corner of it not
+/// known.
+double bakeError(const BakedMap& map, const PlaceMap& exact, const std::vector<std::uint8_t>& seen,
+                 double straight = 0);
 
 }  // namespace voledit

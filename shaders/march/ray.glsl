@@ -91,15 +91,17 @@ float stride(Ray ray, float u) {
 #ifdef BAKED
 uniform sampler3D map;        // index coordinates at the nodes of a grid, and 1 where they are known
 uniform vec3 mapTexel;        // 1 / its nodes
+uniform float known;          // from which on the map holds
 uniform sampler3D jacobianX;  // d index / d world, its columns, at every second node
 uniform sampler3D jacobianY;
 uniform sampler3D jacobianZ;
 uniform vec3 jacobianTexel;
 #endif
 
-// A block's way through the volume: straight.
+// A block's way through the volume: straight, by steps; BAKED: from its beginning, else from u = 0 on, so that places do
+// not depend on where blocks begin.
 struct Line {
-    vec3 index;   // index coordinates at its beginning
+    vec3 index;   // index coordinates at 0
     vec3 change;  // a step
 #ifdef BAKED
     vec4 end;     // index coordinates there, and 1 where they are known
@@ -118,7 +120,16 @@ vec3 indexOn(Line line, float steps) {
     return line.index + steps * line.change;
 }
 
-// The line of the block at u, after that of the block before. Gives the steps from which on and up to which it lies in the
+// Where on its line the block at u begins.
+float blockBegin(float u) {
+#ifdef BAKED
+    return 0.0;
+#else
+    return u;
+#endif
+}
+
+// The line of the block at u, after that of the block before. Gives from which step on and up to which it lies in the
 // volume.
 vec2 nextLine(Ray ray, float u, inout Line line) {
     float count = min(ray.end - u, float(STEPS));
@@ -129,11 +140,11 @@ vec2 nextLine(Ray ray, float u, inout Line line) {
     line.change = (line.end.xyz - from.xyz) / max(count, 1e-6);
     vec2 within = crossings(line.index, notZero(line.change), domainMin, domainMax);
     within = vec2(max(within.x, 0.0), min(within.y, count));
-    return min(from.w, line.end.w) > 0.999 && within.x < within.y ? within : vec2(count);
+    return min(from.w, line.end.w) > known && within.x < within.y ? within : vec2(count);
 #else
-    line.index = ray.start + u * ray.perStep;
+    line.index = ray.start;
     line.change = ray.perStep;
-    return vec2(0.0, count);
+    return vec2(u, u + count);
 #endif
 }
 

@@ -107,6 +107,32 @@ TEST(BakedMap, UnwantedTetrahedraStayUnknown) {
     EXPECT_FALSE(baked.at({0.9, 0.1, 0.2}, place));
 }
 
+TEST(BakedMap, AnyMapIsBakedAndItsGapsAreTold) {
+    // A shear that is torn apart at x = 0.
+    const PlaceMap torn = [](std::span<const Vec3> p, std::span<Vec3> place) {
+        for (std::size_t n = 0; n < p.size(); ++n) {
+            const Vec3 at = p[n];
+            place[n] =
+                std::abs(at.x) < 0.3 ? kUndefined : Vec3(at.x - (at.x > 0 ? 0.3 : -0.3), at.y + 0.5 * at.x, at.z);
+        }
+    };
+    const BakedMap map = bake(torn, bakeGrid({Vec3(-1), Vec3(1)}, 40));
+    Vec3 place;
+    ASSERT_TRUE(map.surelyKnownAt({0.5, 0.1, 0.2}) && map.at({0.5, 0.1, 0.2}, place));
+    EXPECT_LT(glm::length(place - Vec3(0.2, 0.35, 0.2)), 1e-5);
+    EXPECT_FALSE(map.surelyKnownAt({0.29, 0, 0}));
+    EXPECT_TRUE(map.at({0.29, 0, 0}, place)) << "continued";
+    EXPECT_FALSE(map.at({0, 0, 0}, place));
+    const Index3 count = map.grid.nodes - 1;
+    std::vector<std::uint8_t> right(std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z), 0);
+    std::vector<std::uint8_t> all(right.size(), 1);
+    for (std::size_t n = 0; n < right.size(); ++n)
+        right[n] = map.grid.origin.x + map.grid.cell * int(n % std::size_t(count.x)) > 0.3;
+    EXPECT_LT(bakeError(map, torn, right), 1e-5);
+    EXPECT_LT(bakeError(map, torn, right, 0.05), 1e-5);
+    EXPECT_EQ(bakeError(map, torn, all), kInfinity);
+}
+
 TEST(BakedMap, ThreadsChangeNothing) {
     const LatticeMap map = bent(1);
     const BakeGrid grid = bakeGrid(map.cells()->bounds(), 40);
