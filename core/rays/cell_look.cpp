@@ -33,7 +33,7 @@ public:
             for (std::size_t cell = begin; cell < end; ++cell) {
                 if (!visible(box(cells_.cellVertices(cell)))) continue;
                 for (std::size_t t = cell * perCell; t < (cell + 1) * perCell; ++t)
-                    seen[t] = cells_.determinants()[t] != 0 && visible(box(cells_.tetrahedra()[t]));
+                    seen[t] = cells_.determinants()[t] != 0 && visible(cells_.tetrahedra()[t]);
             }
         });
         std::vector<std::uint32_t> result;
@@ -52,6 +52,19 @@ private:
         Box3 box;
         for (const std::uint32_t v : corners) box = join(box, index_[v]);
         return box;
+    }
+    /// By the boxes of a tetrahedron's halves: its own reaches far beyond it.
+    bool visible(const std::array<std::uint32_t, 4>& corners) const {
+        if (!visible(box(corners))) return false;
+        Box3 inner;
+        for (std::size_t a = 0; a < 4; ++a) {
+            Box3 outer;
+            for (std::size_t b = 0; b < 4; ++b) outer = join(outer, 0.5 * (index_[corners[a]] + index_[corners[b]]));
+            if (visible(outer)) return true;
+            for (std::size_t b = a + 1; b < 4; ++b)
+                inner = join(inner, 0.5 * (index_[corners[a]] + index_[corners[b]]));
+        }
+        return visible(inner);
     }
     bool visible(const Box3& box) const { return skip_.mayBeVisible(intersect(box, domain_)); }
 
