@@ -92,6 +92,8 @@ void ChainContent::setUniforms(Program& p) const {
     p.set("texelPerIndex", Vec3f(1.0 / Vec3(volume.grid().size)));
     p.set("domainMin", Vec3f(domain.min - 1e-3));
     p.set("domainMax", Vec3f(domain.max + 1e-3));
+    p.set("cutMin", Vec3f(domain.min));
+    p.set("cutMax", Vec3f(domain.max));
     p.set("tableScale", float(texture.valueScale * entriesPerValue));
     p.set("tableOffset", float((texture.valueOffset - table.low) * entriesPerValue));
     p.set("tableSize", float(TransferTable::kSize));

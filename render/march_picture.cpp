@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "core/eval/cut_faces.h"
 #include "render/light_uniforms.h"
 #include "render/slice_variants.h"
 
@@ -134,6 +135,10 @@ void MarchPicture::setUniforms(const CompiledScene& scene) {
     p.set("stepLength", float(step_));
     p.set("opacityDistance", float(scene.opacityDistance));
     p.set("least", workshop_.options.mask ? 1 - SliceTarget::kOpaque : 0.0F);
+    p.set("cutThickness", float(cutThickness(scene)));
+    const Box3 domain = plan_.volume->volume->grid().indexDomain();
+    p.set("cutMin", Vec3f(domain.min));
+    p.set("cutMax", Vec3f(domain.max));
     setLights(p, scene.render, lightsOf(scene.render, scene.camera));
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/paths.h"
+#include "core/eval/cut_faces.h"
 #include "render/slice_variants.h"
 
 namespace voledit {
@@ -89,6 +90,7 @@ void SlicePicture::setUniforms(Program& p, const Layer& layer, const CompiledSce
     p.set("indexFromWorld", Mat3f(placeFromWorld));
     p.set("slabDepth", float(slabDepth_));
     p.set("opacityDistance", float(scene.opacityDistance));
+    p.set("cutThickness", float(cutThickness(scene)));
     setLights(p, scene.render, lightsOf(scene.render, scene.camera));
     if (surrounded_) workshop_.surroundings.setUniforms(p, scene.render, view_, referenceDepth_);
     content_->setUniforms(p);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 
+#include "core/objects/seen_part.h"
 #include "render/chain_content.h"
 #include "render/slice_variants.h"
 
@@ -37,6 +38,7 @@ void TermContent::setUniforms(Program& p) const {
     const Vec3 size = plan_.bounds.size();
     p.set("boundsMin", Vec3f(plan_.bounds.min - origin));
     p.set("boundsMax", Vec3f(plan_.bounds.max - origin));
+    if (!holdsData(*plan_.drawn)) p.set("cutThickness", 0.0F);
     p.set("rounding", float(1e-6 * std::max({size.x, size.y, size.z})));
 }
 

@@ -155,7 +155,7 @@ TermWriter::Cells TermWriter::cells(const std::shared_ptr<const MeshField>& mesh
     return cells(mesh.get(), {nullptr, mesh, 0});
 }
 
-TermProgram TermWriter::finish(const GlslFunction& term, const GlslFunction& lit) {
+TermProgram TermWriter::finish(const GlslFunction& term, const GlslFunction& lit, const GlslFunction& within) {
     std::string head, hints = "void startHints() {\n";
     for (std::size_t v = 0; v < program_.volumes.size(); ++v)
         head += "layout(binding = " + std::to_string(v + 1) + ") uniform sampler3D volume" + std::to_string(v) + ";\n";
@@ -164,8 +164,8 @@ TermProgram TermWriter::finish(const GlslFunction& term, const GlslFunction& lit
         hints += "    hint" + std::to_string(c) + " = kNowhere;\n";
     }
     program_.text = head + formulas_ + functions_ + hints + "}\nSample termAt(vec3 p) {\n    return " + term.name +
-                    "(p);\n}\nSample litTermAt(vec3 p) {\n    return " + lit.name + "(p);\n}\n";
-    program_.size = term.size + lit.size;
+                    "(p);\n}\nSample litTermAt(vec3 p) {\n    return " + lit.name + "(p);\n}\nbool withinTermAt(vec3 p) {\n    return " + within.name + "(p);\n}\n";
+    program_.size = term.size + lit.size + within.size;
     if (program_.size > kLargestTermProgram) tooLarge("the object is too complex for slices");
     if (program_.numbers.empty()) group(Vec4(0));
     return std::move(program_);
@@ -173,8 +173,9 @@ TermProgram TermWriter::finish(const GlslFunction& term, const GlslFunction& lit
 
 TermProgram makeTermProgram(const TermPtr& root) {
     TermWriter writer(root);
-    const GlslFunction term = writeTerm(writer, root, false), lit = writeTerm(writer, root, true);
-    return writer.finish(term, lit);
+    const GlslFunction term = writeTerm(writer, root, false), lit = writeTerm(writer, root, true),
+                       within = writeWithin(writer, root);
+    return writer.finish(term, lit, within);
 }
 
 }  // namespace voledit

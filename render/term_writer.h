@@ -87,7 +87,7 @@ public:
     Cells cells(const std::shared_ptr<const MeshField>& mesh);
 
     /// The program, complete.
-    TermProgram finish(const GlslFunction& term, const GlslFunction& lit);
+    TermProgram finish(const GlslFunction& term, const GlslFunction& lit, const GlslFunction& within);
 
 private:
     Cells cells(const void* key, const ProgramCells& made);
@@ -106,6 +106,8 @@ std::string ownAttribute(const std::string& name);
 /// Functions of nodes (write_terms.cpp, write_maps.cpp, write_fields.cpp):
 ///   `Sample NAME(vec3 p)`; lit: with the gradient
 GlslFunction writeTerm(TermWriter& writer, const TermPtr& term, bool lit, const std::string& attribute = "");
+///   `bool NAME(vec3 p)`: whether p is within data, seen or not (core/objects/seen_part); of several objects any
+GlslFunction writeWithin(TermWriter& writer, const TermPtr& term);
 ///   `bool NAME(vec3 p, out vec3 q)`; lit: `bool NAME(vec3 p, out vec3 q, out mat3 j)`
 GlslFunction writeMap(TermWriter& writer, const TransferPtr& map, bool lit);
 ///   `float NAME(vec3 p)`; lit: `vec4 NAME(vec3 p)`, the gradient and the value

@@ -12,6 +12,8 @@
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
 #include "common/surroundings.glsl"
+#include "common/cut_normal.glsl"
+#include "common/volume_cut.glsl"
 #ifdef LOCATED
 #include "common/cell_search.glsl"
 #include "common/located.glsl"
@@ -52,7 +54,7 @@ void main() {
 #endif
     vec2 light = vec2(1.0, 0.0);
 #ifdef SHADED
-    light = reflected(transpose(jacobian) * gradient, ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
+    light = reflected(withCut(faceBefore(index, jacobian, ray), gradient * jacobian), ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
 #endif
     vec3 color = colorAt(entry);
     float clear = exp(-thickness);

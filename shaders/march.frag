@@ -13,6 +13,8 @@
 //   out       color        premultiplied by alpha, as composited
 #include "common/volume.glsl"
 #include "common/lighting.glsl"
+#include "common/cut_normal.glsl"
+#include "common/volume_cut.glsl"
 #include "march/table.glsl"
 #include "march/ray.glsl"
 
@@ -100,7 +102,9 @@ void composite(Ray ray, Block block, float begin, Stretch stretch, inout vec3 se
     float weight = through * (1.0 - exp(-depth));
 #ifdef SHADED
     float place = mix(stretch.begin, stretch.end, meanPlace(ends, depth));
-    vec3 gradient = worldGradient(ray, begin - blockBegin(begin) + place, rawDifferencesAt(indexOn(block.line, place)));
+    vec3 index = indexOn(block.line, place);
+    mat3 jacobian = indexJacobian(ray, begin - blockBegin(begin) + place);
+    vec3 gradient = withCut(faceBefore(index, jacobian, ray.direction), rawDifferencesAt(index) * jacobian);
     vec2 light = reflected(gradient, ray.direction, vec2(1.0));
     what.rgb = what.rgb * light.x + light.y;
 #endif

@@ -14,6 +14,8 @@
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
 #include "common/surroundings.glsl"
+#include "common/cut_normal.glsl"
+#include "common/volume_cut.glsl"
 #ifdef LOCATED
 #include "common/cell_search.glsl"
 #include "common/located.glsl"

@@ -1,6 +1,6 @@
 #version 450 core
 // term.frag: one fragment of a slab of any term, by functions that are generated for it (render/term_program.h).
-//   generated  Sample termAt(vec3 p), Sample litTermAt(vec3 p), void startHints()
+//   generated  Sample termAt(vec3 p), Sample litTermAt(vec3 p), bool withinTermAt(vec3 p), void startHints()
 //   variants   MAPPED        places and Jacobian come from the polygon; else from one matrix
 //              TERM_CELLS    the term has mapped cells
 //              TERM_QUADS=n  groups of numbers
@@ -10,6 +10,7 @@
 #include "common/slice_input.glsl"
 #include "common/lighting.glsl"
 #include "common/surroundings.glsl"
+#include "common/cut_normal.glsl"
 #include "common/formula.glsl"
 #include "term/numbers.glsl"
 #include "term/volumes.glsl"

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/eval/cut_faces.h"
 #include "core/eval/surroundings.h"
 #include "core/objects/empty_space.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
 constexpr double kOpaque = 1e-5;            // transmittance below which the rest of a ray cannot be seen
+constexpr double kUnseen = 1e-5;            // share of a pixel for which no cut is looked for
 constexpr double kSlight = 1 / 512.0;       // share of a pixel for which light is not followed anew
 constexpr std::size_t kFirstBlock = 16, kLargestBlock = 256;  // samples of a ray evaluated together
 
@@ -49,6 +51,7 @@ public:
           space_(emptySpaceOf(*scene.root)),
           lights_(lightsOf(scene.render, scene.camera)),
           surroundings_(scene),
+          cuts_(scene),
           size_(size),
           step_(scene.stepLength()) {
         assert(step_ > 0 && scene.opacityDistance > 0);
@@ -67,22 +70,29 @@ public:
 private:
     void march(const Ray& ray) {
         toEye_ = -ray.direction;
+        ray_ = ray;
         share_.reset();
+        cut_.reset();
+        entered_.reset();
+        seenAt_ = -kInfinity;
         const double length = ray.far - ray.near;
         const auto steps = std::size_t(std::ceil(length / step_));
         std::size_t block = kFirstBlock;  // small at first: many rays end soon after they meet a surface
         points_.clear();
+        depths_.clear();
         lengths_.clear();
         for (std::size_t n = 0; n < steps && transmittance_ >= kOpaque;) {
             // The last step is what is left of the ray, sampled in its own middle.
             const double from = double(n) * step_, to = std::min(from + step_, length);
-            const Vec3 p = ray.origin + (ray.near + 0.5 * (from + to)) * ray.direction;
+            const double depth = ray.near + 0.5 * (from + to);
+            const Vec3 p = ray.origin + depth * ray.direction;
             if (const double empty = space_.emptyAhead(p, ray.direction); empty > 0) {
                 // Samples keep their places: what is left out would have had opacity 0.
                 n += std::max<std::size_t>(1, std::size_t(std::ceil(std::min(empty / step_, double(steps)))));
                 continue;
             }
             points_.push_back(p);
+            depths_.push_back(depth);
             lengths_.push_back(to - from);
             ++n;
             if (points_.size() < block) continue;
@@ -102,29 +112,58 @@ private:
             const double through =
                 std::pow(1 - std::min(s.opacity, kLargestOpacity), lengths_[n] / scene_.opacityDistance);
             const double weight = transmittance_ * (1 - through);
-            if (!surroundings_.none() && s.normalGradient != Vec3(0) && (!share_ || weight > kSlight))
-                share_ = surroundings_.at(points_[n], lights_.towardFirst(toEye_));
-            color_ += weight * litColor(scene_.render, lights_, s.color, s.normalGradient, toEye_,
-                                        share_.value_or(LightShare()));
+            if (scene_.render.shading) findCut(depths_[n], weight);
+            color_ += weight * lit(n, weight);
             transmittance_ *= through;
         }
         points_.clear();
+        depths_.clear();
         lengths_.clear();
+    }
+
+    /// The colour of sample n, which has a share of `weight` in the pixel.
+    Vec3 lit(std::size_t n, double weight) {
+        const ObjectSample& s = values_[n];
+        const Vec3 gradient = cut_ ? cuts_.blended(*cut_, points_[n], depths_[n], s.normalGradient) : s.normalGradient;
+        if (!surroundings_.none() && gradient != Vec3(0) && (!share_ || weight > kSlight))
+            share_ = surroundings_.at(points_[n], lights_.towardFirst(toEye_));
+        return litColor(scene_.render, lights_, s.color, gradient, toEye_, share_.value_or(LightShare()));
+    }
+
+    /// Notes where something begins to be seen, and looks whether that is at a cut as soon as it matters.
+    void findCut(double depth, double weight) {
+        if (!cuts_.mayCut()) return;
+        const bool begins = depth - seenAt_ > 1.5 * step_;
+        seenAt_ = depth;
+        if (begins) {
+            entered_ = depth;
+            cut_.reset();
+        }
+        if (!entered_ || !(weight > kUnseen)) return;
+        const double begun = *entered_;
+        entered_.reset();
+        if (depth - begun > 2 * cuts_.thickness()) return;
+        cut_ = cuts_.before(ray_.origin, ray_.direction, begun);
     }
 
     const CompiledScene& scene_;
     const EmptySpace& space_;
     Lights lights_;
     Surroundings surroundings_;
+    CutFinder cuts_;
     Index2 size_;
     double step_;
     Vec3 toEye_{0};
     std::optional<LightShare> share_;  // of the ray's last sample
+    std::optional<CutFace> cut_;       // that the ray passed last, if what is seen began there
+    std::optional<double> entered_;    // where what is seen began, until it was looked for a cut there
+    double seenAt_ = 0;                // the last sample in which something was seen
+    Ray ray_;
     Vec3 color_{0};
     double transmittance_ = 1;
     std::uint64_t samples_ = 0;
     std::vector<Vec3> points_;
-    std::vector<double> lengths_;
+    std::vector<double> depths_, lengths_;
     std::vector<ObjectSample> values_;
 };
 

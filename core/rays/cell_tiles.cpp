@@ -26,6 +26,12 @@ std::array<float, 3> single(const Vec3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// False where only mapped cells and affine maps stand above a volume: defined wherever its cells are.
+bool mayHaveGaps(const Term& root) {
+    const auto* transfer = std::get_if<TransferTerm>(&root.node);
+    return transfer && (!(transfer->by->cells() || transfer->by->affine()) || mayHaveGaps(*transfer->of));
+}
+
 class CellTiles final : public TileCaster {
 public:
     CellTiles(const CompiledScene& scene, Index2 size, std::shared_ptr<const CellLook> look)
@@ -33,7 +39,9 @@ public:
           surroundings_(scene),
           world_(scene.camera, size),
           perStep_(1 / scene.stepLength()),
-          background_(scene.render.background) {
+          background_(scene.render.background),
+          root_(scene.root),
+          cuts_(scene) {
         const Mat4& cellsFromWorld = look_->way.cellsFromWorld;
         view_ = {transformPoint(cellsFromWorld, world_.eye), transformVector(cellsFromWorld, world_.origin),
                  transformVector(cellsFromWorld, world_.right), transformVector(cellsFromWorld, world_.down)};
@@ -41,6 +49,7 @@ public:
         volume_ = packetVolume(*look_->look);
         volume_.cells = &look_->cells();
         volume_.light = packetLight(scene, surroundings_);
+        if (scene.render.shading) volume_.cuts = {&cuts_, world_.eye, scene.stepLength(), mayHaveGaps(*scene.root)};
     }
 
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {
@@ -200,6 +209,8 @@ private:
     double perStep_;
     Vec3f background_;
     PacketVolume volume_;
+    TermPtr root_;  // kept for the cuts
+    CutFinder cuts_;
 };
 
 }  // namespace

@@ -36,7 +36,9 @@ public:
           side_(real(float(1 << skip_.shift))),
           perSide_(real(1.0F / float(1 << skip_.shift))),
           scale_(real(table_.scale)),
-          offset_(real((table_.low + access.bias) * table_.scale)) {}
+          offset_(real((table_.low + access.bias) * table_.scale)),
+          cutReach_(volume.cuts.finder ? static_cast<float>(2 * volume.cuts.finder->thickness() / volume.cuts.step)
+                                       : 0) {}
 
     void run() {
         active_ = maskOf(lanes_.alive());
@@ -314,10 +316,53 @@ private:
         return {load(g[0].data()), load(g[1].data()), load(g[2].data())};
     }
 
+    /// Lanes at u that may have passed a cut less than cutReach_ before: all where maps have gaps, else those so near a
+    /// face of the volume.
+    HWY_INLINE Mask mayBeCut(Mask near, Real u) const {
+        if (volume_.cuts.gaps) return near;
+        Mask outside = none();
+        for (std::size_t a = 0; a < 3; ++a) {
+            const Real x = hn::Add(lanes_.start[a], hn::Mul(u, lanes_.step[a]));
+            // Maps bend: twice as far.
+            const Real reach = hn::Mul(hn::Abs(lanes_.step[a]), real(2 * cutReach_));
+            outside = hn::Or(outside, hn::Lt(x, reach));
+            outside = hn::Or(outside, hn::Gt(hn::Add(x, reach), real(access_.beforeLast[a])));
+        }
+        return hn::And(near, outside);
+    }
+
+    /// Gradients with the normals of cuts in them (core/eval/cut_faces), of lanes shortly behind the beginning of a
+    /// run.
+    HWY_NOINLINE Real3 atCuts(Mask near, Real u, const Real3& gradient) {
+        const PacketCuts& cuts = volume_.cuts;
+        alignas(64) RayPacket::Lanes at, g[3];
+        hn::Store(u, F(), at.data());
+        const Real components[3] = {gradient.x, gradient.y, gradient.z};
+        for (std::size_t a = 0; a < 3; ++a) hn::Store(components[a], F(), g[a].data());
+        const std::uint32_t possible = bitsOf(mayBeCut(near, u));
+        forLanes(bitsOf(near), [&](std::size_t l) {
+            const double depth = double(packet_.distance[l]) + double(at[l]) * cuts.step;
+            const Vec3 direction(-packet_.toEye[0][l], -packet_.toEye[1][l], -packet_.toEye[2][l]);
+            if (lanes_.newRun(l)) {
+                cut_[l].reset();
+                if (possible >> l & 1) cut_[l] = cuts.finder->before(cuts.eye, direction, depth);
+            }
+            if (!cut_[l]) return;
+            const Vec3 blended =
+                cuts.finder->blended(*cut_[l], cuts.eye + depth * direction, depth, Vec3(g[0][l], g[1][l], g[2][l]));
+            for (std::size_t a = 0; a < 3; ++a) g[a][l] = static_cast<float>(blended[int(a)]);
+        });
+        return {load(g[0].data()), load(g[1].data()), load(g[2].data())};
+    }
+
     /// Lights `color` where the gradient at u has a direction (core/scene/lighting.h).
     HWY_INLINE void shade(Mask lit, Real u, Real weight, Real* color) {
         const PacketLight& light = volume_.light;
         Real3 g = gradient(lit, u);
+        if (volume_.cuts.finder) {
+            const Mask near = hn::And(lit, hn::Lt(hn::Sub(u, lanes_.run), real(cutReach_)));
+            if (HWY_UNLIKELY(!hn::AllFalse(F(), near))) g = atCuts(near, u, g);
+        }
         const Real largest = hn::Max(hn::Max(hn::Abs(g.x), hn::Abs(g.y)), hn::Abs(g.z));
         lit = hn::And(lit, hn::And(hn::Gt(largest, hn::Zero(F())), hn::Lt(largest, real(3e38F))));
         // By the largest component first: squares of steep gradients overflow.
@@ -419,6 +464,8 @@ private:
     alignas(64) RayPacket::Lanes share_[2] = {};  // … what is left of the first light and of the ambient one
     Real brick_[3];
     Whole distance_;
+    float cutReach_;                                            // steps
+    std::array<std::optional<CutFace>, RayPacket::kMost> cut_;  // of each lane's run
 };
 
 void castPacketHere(const PacketVolume& volume, RayPacket& packet) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/eval/cut_faces.h"
 #include "core/fields/volume.h"
 #include "core/rays/optical_table.h"
 #include "core/rays/packet_cells.h"
@@ -33,6 +34,14 @@ struct PacketLight {
     double step = 1;
 };
 
+/// How cut faces are found (core/eval/cut_faces). Refers to what must outlive it.
+struct PacketCuts {
+    const CutFinder* finder = nullptr;  // null: none are looked for
+    Vec3 eye{0};
+    double step = 1;    // world length of a step
+    bool gaps = false;  // maps may be undefined inside; else only the volume's faces can be cuts
+};
+
 /// What rays meet. Refers to what must outlive it.
 struct PacketVolume {
     const Volume* volume = nullptr;
@@ -48,6 +57,7 @@ struct PacketVolume {
     GradientTurn ownTurn{};
     float unit = 1;
     PacketLight light;
+    PacketCuts cuts;
 };
 
 struct VolumeLook;
@@ -67,7 +77,7 @@ struct RayPacket {
     std::span<const OwnPiece> own;                     // what hits that are no cells' refer to
     alignas(64) std::array<Lanes, 3> base{}, along{};
     alignas(64) std::array<Lanes, 3> toEye{};  // unit, world space
-    alignas(64) Lanes distance{};              // from the eye at u = 0, world units; only surroundings ask for it
+    alignas(64) Lanes distance{};              // from the eye at u = 0, world units
     alignas(64) std::array<Lanes, 3> color{};  // result: composited, without background
     alignas(64) Lanes transmittance{};         // result
     std::uint64_t samples = 0;                 // grows by those taken

@@ -22,7 +22,7 @@ constexpr float kTouching = 1e-2F;
 class Lanes {
 public:
     Lanes(const PacketVolume& volume, const RayPacket& packet) : cells_(volume.cells), packet_(packet) {
-        begin = end = hn::Zero(F());
+        begin = end = run = hn::Zero(F());
         for (std::size_t a = 0; a < 3; ++a) {
             start[a] = load(packet.base[a].data());
             step[a] = load(packet.along[a].data());
@@ -33,10 +33,16 @@ public:
             if (take(l)) alive_ |= 1U << l;
     }
 
-    Real start[3], step[3], begin, end;
-    Real inverse[3];  // of step
+    Real start[3], step[3], begin, end, run;  // `run` is where the pieces that touch began
+    Real inverse[3];                          // of step
 
     std::uint32_t alive() const { return alive_; }
+    /// True where lane l has begun another run since it was asked last.
+    bool newRun(std::size_t l) {
+        const bool is = runs_ >> l & 1;
+        runs_ &= ~(1U << l);
+        return is;
+    }
     /// The piece's own map and turn; null where its cell has them.
     const OwnPiece* own(std::size_t l) const {
         return cell_[l] & kOwnPiece ? &packet_.own[cell_[l] - kOwnPiece] : nullptr;
@@ -48,9 +54,13 @@ public:
     bool take(std::size_t l) {
         if (next_[l] == packet_.hits[l].size()) return false;
         const CellHit& hit = packet_.hits[l][next_[l]++];
+        const Mask lane = hn::RebindMask(F(), hn::Eq(hn::Iota(I(), 0), whole(std::int32_t(l))));
+        if (next_[l] == 1 || hit.begin > end_[l] + kTouching) {
+            set(run, lane, hit.begin);
+            runs_ |= 1U << l;
+        }
         end_[l] = hit.end;
         cell_[l] = hit.cell;
-        const Mask lane = hn::RebindMask(F(), hn::Eq(hn::Iota(I(), 0), whole(std::int32_t(l))));
         set(begin, lane, hit.begin);
         set(end, lane, hit.end);
         if (cells_) enter(l, lane);
@@ -101,7 +111,7 @@ private:
     std::array<std::size_t, RayPacket::kMost> next_{};
     std::array<std::uint32_t, RayPacket::kMost> cell_{};
     std::array<float, RayPacket::kMost> end_{};
-    std::uint32_t alive_ = 0;
+    std::uint32_t alive_ = 0, runs_ = 0;
 };
 
 }  // namespace voledit::HWY_NAMESPACE

@@ -30,10 +30,13 @@ public:
           down_(transformVector(indexFromWorld, world_.down)),
           domain_(look_->volumeTerm().volume->grid().indexDomain()),
           step_(scene.stepLength()),
-          background_(scene.render.background) {
+          background_(scene.render.background),
+          root_(scene.root),
+          cuts_(scene) {
         volume_ = packetVolume(*look_);
         volume_.light = packetLight(scene, surroundings_);
         volume_.turn = gradientTurn(glm::transpose(Mat3(indexFromWorld)));
+        if (scene.render.shading) volume_.cuts = {&cuts_, world_.eye, step_, false};
         const double side = double(1 << look_->skip().shift);
         visible_ = intersect(domain_, {side * Vec3(look_->skip().first), side * Vec3(look_->skip().end)});
     }
@@ -84,6 +87,8 @@ private:
     double step_;
     Vec3f background_;
     PacketVolume volume_;
+    TermPtr root_;  // kept for the cuts
+    CutFinder cuts_;
 };
 
 }  // namespace

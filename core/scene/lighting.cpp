@@ -21,8 +21,8 @@ struct Rig {
 
 Rig rigOf(LightRig rig) {
     switch (rig) {
-        case LightRig::KeyFillRim:  // key from the upper left, fill a third of it from the right, rim from behind above
-            return {{{{{-0.6, 0.65, 0.75}, 0.85}, {{0.8, 0.1, 0.7}, 0.3}, {{0.35, 0.75, -0.75}, 0.5}}}, 0.9};
+        case LightRig::KeyFillRim:  // key from the upper left, fill from the right, rim from behind above
+            return {{{{{-0.6, 0.65, 0.75}, 1}, {{0.8, 0.1, 0.7}, 0.4}, {{0.35, 0.75, -0.75}, 0.5}}}, 0.9};
         case LightRig::Soft:  // three nearly alike, around the eye
             return {{{{{-0.45, 0.5, 0.9}, 0.5}, {{0.6, 0.2, 0.9}, 0.32}, {{0, -0.5, 0.9}, 0.18}}}, 1.25};
         case LightRig::Dramatic:  // nearly from the side, hardly any fill, a strong rim

@@ -148,13 +148,12 @@ vec2 nextLine(Ray ray, float u, inout Line line) {
 #endif
 }
 
-// The gradient in the world, of differences a voxel at u.
-vec3 worldGradient(Ray ray, float u, vec3 differences) {
+// d index / d world at u.
+mat3 indexJacobian(Ray ray, float u) {
 #ifdef BAKED
     vec3 at = (0.5 * (ray.start + u * ray.perStep) + 0.5) * jacobianTexel;
-    return vec3(dot(textureLod(jacobianX, at, 0.0).xyz, differences), dot(textureLod(jacobianY, at, 0.0).xyz, differences),
-                dot(textureLod(jacobianZ, at, 0.0).xyz, differences));
+    return mat3(textureLod(jacobianX, at, 0.0).xyz, textureLod(jacobianY, at, 0.0).xyz, textureLod(jacobianZ, at, 0.0).xyz);
 #else
-    return differences * indexFromWorld;
+    return indexFromWorld;
 #endif
 }

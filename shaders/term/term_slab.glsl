@@ -40,6 +40,10 @@ bool withinBounds(vec3 p) {
     return all(greaterThanEqual(p, boundsMin - rounding)) && all(lessThanEqual(p, boundsMax + rounding));
 }
 
+#ifdef SHADED
+#include "term/cut.glsl"
+#endif
+
 // The part of the ray, by depth from the slice, that its slab stands for: half a slab on either side, but where cells end
 // exactly up to there, as the neighbouring slice draws nothing. Bricks reach half a slab beyond the bounds.
 vec2 slabExtent(vec3 place, vec3 perDepth) {
@@ -136,8 +140,11 @@ vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
 #ifdef SHADED
     // Where there is a jump, the mean place could be a clear one.
     float where = jumps ? slab.widestDepth : slab.where / max(alpha, 1e-20);
-    Sample lit = litTermAt(place + where * perDepth);
-    vec2 light = reflected(lit.gradient * jacobian, ray, lightShare(where, alpha, ray));
+    vec3 at = place + where * perDepth;
+    vec3 gradient = litTermAt(at).gradient * jacobian;
+    if (cutThickness > 0.0 && alpha > 0.0)
+        gradient = withCut(cutBefore(at, perDepth / length(ray), normalize(ray), jacobian), gradient);
+    vec2 light = reflected(gradient, ray, lightShare(where, alpha, ray));
     if (alpha > 0.0) slab.seen = slab.seen * light.x + alpha * light.y;
 #endif
     return vec4(slab.seen, alpha);

@@ -69,8 +69,8 @@ vec4 volumeSlab(SlabRay at, vec3 ray) {
         if (alpha > 0.0) {
             mat3 jacobian;
             placeOn(at, where / alpha, index, jacobian);
-            vec3 gradient = rawDifferencesAt(index);
-            vec2 light = reflected(transpose(jacobian) * gradient, ray, lightShare(where / alpha, alpha, ray));
+            vec3 gradient = withCut(faceBefore(index, jacobian, ray), rawDifferencesAt(index) * jacobian);
+            vec2 light = reflected(gradient, ray, lightShare(where / alpha, alpha, ray));
             part = part * light.x + alpha * light.y;
         }
 #endif

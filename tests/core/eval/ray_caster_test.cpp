@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/eval/cut_faces.h"
 #include "tests/support/scenes.h"
 
 namespace voledit {
@@ -189,13 +190,20 @@ Vec4f plainPixel(const CompiledScene& scene, Index2 size, int x, int y) {
         near = std::max(near, std::min(s, t));
         far = std::min(far, std::max(s, t));
     }
+    const CutFinder cuts(scene);
+    std::optional<CutFace> cut;
+    bool seen = false;
     Vec3 color(0);
     double depth = 0;
     for (double from = near; from < far; from += scene.stepLength()) {
         const double to = std::min(from + scene.stepLength(), far);
-        const Vec3 p = scene.camera.eye + 0.5 * (from + to) * direction;
+        const double at = 0.5 * (from + to);
+        const Vec3 p = scene.camera.eye + at * direction;
         ObjectSample s;
         sample(*scene.root, std::span(&p, 1), std::span(&s, 1), true);
+        if (s.opacity > 0 && !seen) cut = cuts.before(scene.camera.eye, direction, at);
+        seen = s.opacity > 0;
+        if (seen && cut) s.normalGradient = cuts.blended(*cut, p, at, s.normalGradient);
         const double extinction = -std::log(1 - std::min(s.opacity, 0.9999)) / scene.opacityDistance * (to - from);
         color += std::exp(-depth) * (1 - std::exp(-extinction)) *
                  shade(scene.render, s.color, s.normalGradient, -direction, -direction);

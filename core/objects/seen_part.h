@@ -1,0 +1,49 @@
+#pragma once
+// Which part of a term is seen at a point, and where that part ends: what a cut face is the boundary of.
+
+#include <cstdint>
+#include <optional>
+
+#include "core/objects/term.h"
+
+namespace voledit {
+
+/// The way from a term down to the one leaf that decides what is seen at a point. A point is *within* it where every
+/// map on the way is defined and what it comes to has material, seen or not: a volume or mesh has values, fields lie in
+/// their box, a solid's opacity is above 0; and where no solid on the way takes it off or leaves it out.
+class SeenPart {
+public:
+    /// `term` must outlive it.
+    SeenPart(const Term& term, const Vec3& p);
+
+    /// within[i] = 1 where p[i] is within the part, else 0. Sizes must be equal.
+    void within(std::span<const Vec3> p, std::span<std::uint8_t> within) const;
+    bool within(const Vec3& p) const;
+    /// The axis of a volume's (or fields') box whose face p, which is within, lies on but for a hundredth of a voxel (a
+    /// hundred-thousandth of the box); nullopt where p is on none.
+    std::optional<int> boxAxis(const Vec3& p) const;
+    /// The normal of the box across `axis` as it appears at p, unit, of either sign: turned by the Jacobians that turn
+    /// gradients, so that it shows no facets of cells. 0 where they give none.
+    Vec3 boxNormal(const Vec3& p, int axis) const;
+    /// True if p is out of a map's cells.
+    bool isOutOfCells(const Vec3& p) const;
+    /// False where a solid shades itself, or nothing was found: its surface is no cut.
+    bool isData() const { return data_; }
+
+private:
+    const Term* term_;
+    std::vector<std::uint32_t> choices_;  // operands taken, from the root inwards
+    bool data_ = false;
+};
+
+/// True if `term` holds anything but solids.
+bool holdsData(const Term& term);
+
+/// Union, merge and blend show their operands; the others cut one of them.
+bool operandsJoin(CvgOperator by);
+/// Of those others the operand that is cut: the first that holds data.
+std::size_t operandThatIsCut(const CvgTerm& node);
+/// Whether operand n, a solid, leaves what is within it and takes off the rest, or the other way round.
+bool leavesItsInside(const CvgTerm& node, std::size_t n);
+
+}  // namespace voledit
