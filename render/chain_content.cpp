@@ -94,6 +94,13 @@ void ChainContent::setUniforms(Program& p) const {
     p.set("domainMax", Vec3f(domain.max + 1e-3));
     p.set("cutMin", Vec3f(domain.min));
     p.set("cutMax", Vec3f(domain.max));
+    p.set("cellsEnd", int(plan_.forward && plan_.forward->by->outside() == Outside::Hide));
+    if (plan_.forward) {
+        const Box3 cells = sourceBox(*plan_.forward->by->cells());
+        p.set("sourceFromPlace", Mat4f(glm::inverse(workshop_.resources.entryFromSource())));
+        p.set("cellsMin", Vec3f(cells.min));
+        p.set("cellsMax", Vec3f(cells.max));
+    }
     p.set("tableScale", float(texture.valueScale * entriesPerValue));
     p.set("tableOffset", float((texture.valueOffset - table.low) * entriesPerValue));
     p.set("tableSize", float(TransferTable::kSize));

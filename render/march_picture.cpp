@@ -139,6 +139,10 @@ void MarchPicture::setUniforms(const CompiledScene& scene) {
     const Box3 domain = plan_.volume->volume->grid().indexDomain();
     p.set("cutMin", Vec3f(domain.min));
     p.set("cutMax", Vec3f(domain.max));
+    p.set("cellsEnd", int(plan_.clip != domain));
+    p.set("sourceFromPlace", Mat4f(1));
+    p.set("cellsMin", Vec3f(plan_.clip.min));
+    p.set("cellsMax", Vec3f(plan_.clip.max));
     setLights(p, scene.render, lightsOf(scene.render, scene.camera));
 }
 

@@ -29,6 +29,8 @@ void main() {
     vec3 ray, index, perDepth;
     mat3 jacobian;
     readSlice(ray, index, perDepth, jacobian);
+    placeEntered = index;
+    placePerDepthEntered = perDepth;
 #ifdef LOCATED
     uint hint[kMostLocated] = noHints();
     bool inside = locate(index, hint, index, jacobian);
@@ -54,7 +56,7 @@ void main() {
 #endif
     vec2 light = vec2(1.0, 0.0);
 #ifdef SHADED
-    light = reflected(withCut(faceBefore(index, jacobian, ray), gradient * jacobian), ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
+    light = reflected(withCut(faceBefore(index, 0.0, jacobian, ray), gradient * jacobian), ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
 #endif
     vec3 color = colorAt(entry);
     float clear = exp(-thickness);

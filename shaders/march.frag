@@ -104,7 +104,9 @@ void composite(Ray ray, Block block, float begin, Stretch stretch, inout vec3 se
     float place = mix(stretch.begin, stretch.end, meanPlace(ends, depth));
     vec3 index = indexOn(block.line, place);
     mat3 jacobian = indexJacobian(ray, begin - blockBegin(begin) + place);
-    vec3 gradient = withCut(faceBefore(index, jacobian, ray.direction), rawDifferencesAt(index) * jacobian);
+    placeEntered = index;
+    placePerDepthEntered = jacobian * ray.direction;
+    vec3 gradient = withCut(faceBefore(index, 0.0, jacobian, ray.direction), rawDifferencesAt(index) * jacobian);
     vec2 light = reflected(gradient, ray.direction, vec2(1.0));
     what.rgb = what.rgb * light.x + light.y;
 #endif

@@ -69,7 +69,7 @@ vec4 volumeSlab(SlabRay at, vec3 ray) {
         if (alpha > 0.0) {
             mat3 jacobian;
             placeOn(at, where / alpha, index, jacobian);
-            vec3 gradient = withCut(faceBefore(index, jacobian, ray), rawDifferencesAt(index) * jacobian);
+            vec3 gradient = withCut(faceBefore(index, where / alpha, jacobian, ray), rawDifferencesAt(index) * jacobian);
             vec2 light = reflected(gradient, ray, lightShare(where / alpha, alpha, ray));
             part = part * light.x + alpha * light.y;
         }
