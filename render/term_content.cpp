@@ -38,7 +38,7 @@ void TermContent::setUniforms(Program& p) const {
     const Vec3 size = plan_.bounds.size();
     p.set("boundsMin", Vec3f(plan_.bounds.min - origin));
     p.set("boundsMax", Vec3f(plan_.bounds.max - origin));
-    if (!holdsData(*plan_.drawn)) p.set("cutThickness", 0.0F);
+    if (!holdsData(*plan_.drawn) || anyMayCombine(*plan_.root)) p.set("cutThickness", 0.0F);
     p.set("rounding", float(1e-6 * std::max({size.x, size.y, size.z})));
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/stf/mapped_cells.h"
 #include "core/stf/mesh_field.h"
 
 namespace voledit {
@@ -55,14 +56,17 @@ void follow(const Term& term, Visitor& visitor) {
 struct Chooser {
     Vec3 p;
     std::vector<std::uint32_t>& choices;
-    bool data = false;
+    bool data = false, several = false;
 
-    void through(const SpatialTransferFunction& map) { map.map(std::span(&p, 1), std::span(&p, 1)); }
+    void through(const SpatialTransferFunction& map) {
+        several = several || mayCombine(map);
+        map.map(std::span(&p, 1), std::span(&p, 1));
+    }
     std::uint32_t operand(const CvgTerm& node) {
         choices.push_back(chosenOperand(node, p));
         return choices.back();
     }
-    void leaf(const Term& term) { data = isDefined(p) && !std::holds_alternative<SolidTerm>(term.node); }
+    void leaf(const Term& term) { data = !several && isDefined(p) && !std::holds_alternative<SolidTerm>(term.node); }
 };
 
 /// Takes out of `within` what is not within a part, along choices that were made.
@@ -165,6 +169,19 @@ bool holdsData(const Term& term) {
     if (const auto* cvg = std::get_if<CvgTerm>(&term.node))
         return std::any_of(cvg->of.begin(), cvg->of.end(), [](const TermPtr& of) { return holdsData(*of); });
     return !std::holds_alternative<SolidTerm>(term.node);
+}
+
+bool mayCombine(const SpatialTransferFunction& map) {
+    return map.cells() && (map.cells()->mayOverlap() || map.outside() == Outside::Keep);
+}
+
+bool anyMayCombine(const Term& term) {
+    if (const auto* transfer = std::get_if<TransferTerm>(&term.node))
+        return mayCombine(*transfer->by) || anyMayCombine(*transfer->of);
+    if (const auto* recolor = std::get_if<RecolorTerm>(&term.node)) return anyMayCombine(*recolor->of);
+    if (const auto* cvg = std::get_if<CvgTerm>(&term.node))
+        return std::any_of(cvg->of.begin(), cvg->of.end(), [](const TermPtr& of) { return anyMayCombine(*of); });
+    return false;
 }
 
 bool operandsJoin(CvgOperator by) {

@@ -27,7 +27,8 @@ public:
     Vec3 boxNormal(const Vec3& p, int axis) const;
     /// True if p is out of a map's cells.
     bool isOutOfCells(const Vec3& p) const;
-    /// False where a solid shades itself, or nothing was found: its surface is no cut.
+    /// False where a map on the way may have several pre-images, where a solid shades itself, or nothing was found: its
+    /// surface is no cut.
     bool isData() const { return data_; }
 
 private:
@@ -38,6 +39,12 @@ private:
 
 /// True if `term` holds anything but solids.
 bool holdsData(const Term& term);
+
+/// True for maps of cells that fold or keep what is outside: what is seen under them is combined of several pre-images,
+/// which need not end where the first does.
+bool mayCombine(const SpatialTransferFunction& map);
+/// True if there is such a map anywhere in `term`.
+bool anyMayCombine(const Term& term);
 
 /// Union, merge and blend show their operands; the others cut one of them.
 bool operandsJoin(CvgOperator by);
