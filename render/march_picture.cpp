@@ -43,15 +43,17 @@ MarchPicture::MarchPicture(SliceWorkshop& workshop, const CompiledScene& scene, 
 
 void MarchPicture::findPlaces() {
     const MarchResources& march = workshop_.march;
+    Box3 places = plan_.clip;
+    box_ = plan_.clip;
+    placeFromWorld_ = plan_.indexFromSource;
     if (const BakeGrid* grid = march.grid()) {
         placeFromWorld_ = grid->gridFromWorld();
-        box_ = {Vec3(kBakeBorder), Vec3(grid->nodes - 1 - kBakeBorder)};
-    } else {
-        placeFromWorld_ = plan_.indexFromSource;
-        box_ = plan_.clip;
+        places = {Vec3(kBakeBorder), Vec3(grid->nodes - 1 - kBakeBorder)};
+        // Steps begin at the term's own box, wherever nodes lie: an unmoved lattice changes no step.
+        box_ = transformed(plan_.root->bounds, placeFromWorld_);
     }
     visible_ = intersect(
-        box_, {march.cellSide() * Vec3(march.cells().first()) - 0.5, march.cellSide() * Vec3(march.cells().end())});
+        places, {march.cellSide() * Vec3(march.cells().first()) - 0.5, march.cellSide() * Vec3(march.cells().end())});
 }
 
 void MarchPicture::layOut() {
