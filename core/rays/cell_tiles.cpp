@@ -49,7 +49,9 @@ public:
         volume_ = packetVolume(*look_->look);
         volume_.cells = &look_->cells();
         volume_.light = packetLight(scene, surroundings_);
-        if (scene.render.shading) volume_.cuts = {&cuts_, world_.eye, scene.stepLength(), mayHaveGaps(*scene.root)};
+        const bool gaps = mayHaveGaps(*scene.root);
+        if (scene.render.shading && (gaps || look_->look->reachesFaces(kCutReach)))
+            volume_.cuts = {&cuts_, world_.eye, scene.stepLength(), gaps};
     }
 
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {

@@ -34,6 +34,9 @@ struct PacketLight {
     double step = 1;
 };
 
+/// Voxels from a volume's faces beyond which no cut by them is looked for: twice what bent maps make of its thickness.
+constexpr double kCutReach = 8;
+
 /// How cut faces are found (core/eval/cut_faces). Refers to what must outlive it.
 struct PacketCuts {
     const CutFinder* finder = nullptr;  // null: none are looked for

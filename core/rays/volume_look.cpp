@@ -24,6 +24,15 @@ bool packable(const VolumeTerm& term) {
     return term.interpolation == Interpolation::Linear && term.channel == 0 && packable(*term.volume);
 }
 
+bool VolumeLook::reachesFaces(double voxels) const {
+    const double side = double(1 << skip().shift);
+    const Box3 domain = volumeTerm().volume->grid().indexDomain();
+    for (int a = 0; a < 3; ++a)
+        if (side * skip().first[a] < domain.min[a] + voxels || side * skip().end[a] > domain.max[a] - voxels)
+            return true;
+    return false;
+}
+
 std::shared_ptr<const VolumeLook> volumeLook(const TermPtr& term, double unit,
                                              const std::shared_ptr<const VolumeLook>& previous) {
     if (previous && previous->term == term && previous->unit == unit) return previous;

@@ -19,6 +19,8 @@ struct VolumeLook {
 
     const SkipGrid& skip() const { return *grid; }
     const VolumeTerm& volumeTerm() const { return std::get<VolumeTerm>(term->node); }
+    /// False only if nothing is seen within so many voxels of the volume's faces.
+    bool reachesFaces(double voxels) const;
 };
 
 /// True for volumes that packets draw as written: linear and packable().
