@@ -123,6 +123,9 @@ bool MarchResources::prepare(const MarchPlan& plan, const BakeRequest& request) 
         baked_.reset();
         return true;
     }
+    // Centres of cells do not show every jump and border of a chain (an inner map's cells, what is kept outside): at
+    // rest chains are drawn exactly.
+    if (!plan.forward && !request.moving) return false;
     if (holds(plan, request)) return baked_->good;
     Baked made{{}, plan.worldFromDeformed, plan.indexFromSource, request};
     for (const TransferPtr& map : mapsOf(plan)) made.source.push_back(map);
