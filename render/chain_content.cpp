@@ -94,7 +94,8 @@ void ChainContent::setUniforms(Program& p) const {
     p.set("domainMax", Vec3f(domain.max + 1e-3));
     p.set("cutMin", Vec3f(domain.min));
     p.set("cutMax", Vec3f(domain.max));
-    if (folded_) p.set("cutThickness", 0.0F);
+    // As CutFinder has it: none where pre-images combine, nor under several maps of cells.
+    if (folded_ || !plan_.located.empty()) p.set("cutThickness", 0.0F);
     p.set("cellsEnd", int(plan_.forward && plan_.forward->by->outside() == Outside::Hide));
     if (plan_.forward) {
         const Box3 cells = sourceBox(*plan_.forward->by->cells());

@@ -60,6 +60,14 @@ std::array<Vec3, 2> across(const Vec3& direction) {
     return {first, glm::cross(direction, first)};
 }
 
+/// Maps of cells one after the other, from the root down to what is no map.
+int mapsOfCells(const Term& term) {
+    int count = 0;
+    for (const Term* at = &term; const auto* transfer = std::get_if<TransferTerm>(&at->node); at = transfer->of.get())
+        count += transfer->by->cells() != nullptr;
+    return count;
+}
+
 }  // namespace
 
 double cutThickness(const CompiledScene& scene) {
@@ -70,9 +78,10 @@ double cutThickness(const CompiledScene& scene) {
 CutFinder::CutFinder(const CompiledScene& scene) : CutFinder(*scene.root, cutThickness(scene)) {}
 
 CutFinder::CutFinder(const Term& term, double thickness)
-    : term_(term), thickness_(thickness), mayCut_(holdsData(term)) {}
+    : term_(term), thickness_(thickness), mayCut_(holdsData(term) && mapsOfCells(term) < 2) {}
 
 std::optional<CutFace> CutFinder::before(const Vec3& origin, const Vec3& direction, double seen) const {
+    if (!mayCut_) return std::nullopt;
     const SeenPart part(term_, origin + seen * direction);
     if (!part.isData()) return std::nullopt;
     std::array<Vec3, kSearched> places{};

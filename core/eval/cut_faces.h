@@ -30,7 +30,7 @@ public:
     /// As pictures of `scene` have them.
     explicit CutFinder(const CompiledScene& scene);
 
-    /// False where nothing can be cut: solids alone.
+    /// False where none are looked for: in solids alone, and under several maps of cells one after the other.
     bool mayCut() const { return mayCut_; }
     double thickness() const { return thickness_; }
 
