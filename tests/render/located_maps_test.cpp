@@ -147,10 +147,11 @@ TEST(LocatedSlices, ConvergeToRaysAsTheStepFalls) {
 TEST(LocatedSlices, UnmovedInnerLatticeChangesNothing) {
     const TermPtr plain = waves();
     const TransferPtr outer = bentLattice(plain->bounds);
-    const CompiledScene without = closeUp(through(outer, plain));
+    // Unlit, and both by slices: cut faces are lit under one map of cells, not under two.
+    const CompiledScene without = closeUp(through(outer, plain), false);
     CompiledScene with = without;
     with.root = through(outer, through(restLattice(plain->bounds), plain));
-    EXPECT_GE(psnr(slicesOf(with, kSize), slicesOf(without, kSize)), 50);
+    EXPECT_GE(psnr(slicesOf(with, kSize), slicesOf(without, kSize, {.march = false})), 50);
 }
 
 TEST(LocatedSlices, HideAndKeepMatchRays) {
