@@ -42,7 +42,8 @@ struct TermProgram {
     TermPtr root;
     Vec3 origin{0};
     /// `Sample termAt(vec3 p)` with colour and opacity, `Sample litTermAt(vec3 p)` with the gradient too,
-    /// `bool withinTermAt(vec3 p)`, whether data are there, and `void startHints()`, to be called first; and what they need, samplers too.
+    /// `bool withinTermAt(vec3 p)`, whether data are there, and `void startHints()`, to be called first; and what they
+    /// need, samplers too.
     std::string text;
     std::vector<float> numbers;          // groups of four, as term/numbers.glsl reads them
     std::vector<ProgramVolume> volumes;  // texture units 1, 2, …

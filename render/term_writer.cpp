@@ -164,7 +164,8 @@ TermProgram TermWriter::finish(const GlslFunction& term, const GlslFunction& lit
         hints += "    hint" + std::to_string(c) + " = kNowhere;\n";
     }
     program_.text = head + formulas_ + functions_ + hints + "}\nSample termAt(vec3 p) {\n    return " + term.name +
-                    "(p);\n}\nSample litTermAt(vec3 p) {\n    return " + lit.name + "(p);\n}\nbool withinTermAt(vec3 p) {\n    return " + within.name + "(p);\n}\n";
+                    "(p);\n}\nSample litTermAt(vec3 p) {\n    return " + lit.name +
+                    "(p);\n}\nbool withinTermAt(vec3 p) {\n    return " + within.name + "(p);\n}\n";
     program_.size = term.size + lit.size + within.size;
     if (program_.size > kLargestTermProgram) tooLarge("the object is too complex for slices");
     if (program_.numbers.empty()) group(Vec4(0));
