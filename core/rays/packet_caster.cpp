@@ -138,41 +138,76 @@ private:
         return before ? hn::IfThenElse(maskOf(before), lanes_.end, to) : to;
     }
 
-    /// Takes a sample of each lane at `to`, and adds the stretch that it ends.
+    /// Where a sample lies in the table.
+    struct Sample {
+        Whole bin;
+        Mask defined;  // voxels that are not numbers are empty
+    };
+    HWY_INLINE Sample sampleOf(Real value) const {
+        const Real position = hn::Sub(hn::Mul(value, scale_), offset_);
+        const Real inside = hn::Min(hn::Max(position, real(0)), real(float(table_.last)));
+        return {wholeOf(inside), hn::Eq(value, value)};
+    }
+
+    /// What the table tells of a stretch between two samples.
+    struct Stretch {
+        Mask taken;      // lanes that take it, be its beginning known or not
+        Mask same;       // of those with a beginning, the ones whose value does not change
+        Whole from;      // its bins: where it begins …
+        Places other;    // … and ends; a value that does not change is taken to change by one bin
+        Real depth;      // the table at its end
+        Real absorbed;   // what it absorbs
+        Mask visible;    // whether that is anything
+    };
+    HWY_INLINE Stretch stretch(Mask taken, Mask known, Whole from, Real depthThere, const Sample& end) const {
+        Stretch s;
+        s.taken = taken;
+        s.from = from;
+        s.same = hn::And(known, hn::RebindMask(F(), hn::Eq(end.bin, from)));
+        s.other = placesOf(hn::IfThenElse(hn::RebindMask(I(), s.same), hn::Add(end.bin, whole(1)), end.bin));
+        const Real depth = realsAt(table_.depth.data(), s.other);
+        s.absorbed = hn::Sub(depth, depthThere);
+        s.depth = hn::IfThenElse(s.same, depthThere, depth);
+        s.visible =
+            hn::And(hn::And(hn::And(taken, known), end.defined), hn::Ne(s.absorbed, hn::Zero(F())));
+        return s;
+    }
+
+    /// Takes two samples of each lane, at `to` and, where its piece goes so far, a step on, and adds the stretches that
+    /// they end. Two, since one waits longer for its voxels and for the table than it keeps the processor busy.
     HWY_INLINE void sample(Real to) {
         const Mask past = hn::And(active_, hn::Gt(to, lanes_.end));
         if (!hn::AllFalse(F(), past)) to = follow(past, to);
-        const Real3 x = positionAt(to);
-        const Real value = valueAt<Voxels>(access_, placeOf(x));
-        packet_.samples += hn::CountTrue(F(), active_);
+        const Real next = hn::Add(hn::Floor(to), real(1));
+        const Mask goesOn = hn::And(active_, hn::Le(next, lanes_.end));
+        const Real3 x[2] = {positionAt(to), positionAt(next)};
+        const Place places[2] = {placeOf(x[0]), placeOf(x[1])};
+        Real values[2];
+        valuesAt<Voxels>(access_, places, values);
+        packet_.samples += hn::CountTrue(F(), active_) + hn::CountTrue(F(), goesOn);
 
-        const Real position = hn::Sub(hn::Mul(value, scale_), offset_);
-        const Real inside = hn::Min(hn::Max(position, real(0)), real(float(table_.last)));
-        const Whole bin = wholeOf(inside);
-        const Mask defined = hn::Eq(value, value);  // voxels that are not numbers are empty
-        const Mask stretch = hn::And(hn::And(active_, have_), defined);
-        const Mask same = hn::And(have_, hn::RebindMask(F(), hn::Eq(bin, bin_)));
-        // A value that does not change is taken to change by one bin.
-        const Whole other = hn::IfThenElse(hn::RebindMask(I(), same), hn::Add(bin, whole(1)), bin);
-        const Places entry = placesOf(other);
-        const Real depth = realsAt(table_.depth.data(), entry);
-        const Real absorbed = hn::Sub(depth, depth_);
-        const Mask visible = hn::And(stretch, hn::Ne(absorbed, hn::Zero(F())));
-        if (!hn::AllFalse(F(), visible))
-            composite(visible, same, absorbed, entry, to);
-        else
-            knowsColor_ = hn::And(knowsColor_, have_);
+        const Sample one = sampleOf(values[0]), two = sampleOf(values[1]);
+        const Stretch first = stretch(active_, have_, bin_, depth_, one);
+        Stretch second = stretch(goesOn, one.defined, one.bin, first.depth, two);
+        composite(first, have_, u_, to);
+        // No matter who takes its samples together: a ray ends where it is opaque.
+        second.visible = hn::And(second.visible, hn::Gt(transmittance_, real(kOpaque)));
+        composite(second, one.defined, to, next);
+
+        const Mask visible = hn::Or(hn::And(goesOn, second.visible), hn::AndNot(goesOn, first.visible));
         // What is seen is in no empty brick.
-        if (hn::AllFalse(F(), hn::AndNot(visible, active_)))
+        if (hn::AllFalse(F(), hn::AndNot(visible, active_))) {
             distance_ = whole(0);
-        else
-            findBrick(x);
-        depth_ = hn::IfThenElse(same, depth_, depth);
-        bin_ = bin;
-        have_ = defined;
+        } else {
+            const auto last = [&](Real a, Real b) HWY_ATTR { return hn::IfThenElse(goesOn, b, a); };
+            findBrick({last(x[0].x, x[1].x), last(x[0].y, x[1].y), last(x[0].z, x[1].z)});
+        }
+        depth_ = hn::IfThenElse(goesOn, second.depth, first.depth);
+        bin_ = hn::IfThenElse(hn::RebindMask(I(), goesOn), two.bin, one.bin);
+        have_ = hn::Or(hn::And(goesOn, two.defined), hn::AndNot(goesOn, one.defined));
         visited_ = all();
-        u_ = to;
-        const Mask done = hn::And(active_, hn::Ge(to, lanes_.end));
+        u_ = hn::IfThenElse(goesOn, next, to);
+        const Mask done = hn::And(active_, hn::Ge(u_, lanes_.end));
         if (!hn::AllFalse(F(), done)) finish(done);
         active_ = hn::And(active_, hn::Gt(transmittance_, real(kOpaque)));
     }
@@ -191,38 +226,46 @@ private:
         distance_ = hn::IfThenElseZero(hn::Not(hn::RebindMask(I(), over)), distance_);
     }
 
-    HWY_INLINE void composite(Mask visible, Mask same, Real absorbed, const Places& other, Real to) {
-        const Mask asks = hn::And(visible, hn::Not(knowsColor_));
+    /// Adds a stretch from `from` to `to`; `known`: lanes with a sample at its beginning.
+    HWY_INLINE void composite(const Stretch& s, Mask known, Real from, Real to) {
+        if (hn::AllFalse(F(), s.visible)) {
+            // Where nothing is absorbed the table of colours does not change.
+            knowsColor_ = hn::AndNot(hn::AndNot(known, s.taken), knowsColor_);
+            return;
+        }
         const float* colors = table_.color.data();
+        const Mask stays = hn::Or(s.same, hn::Not(s.taken));
+        const Mask asks = hn::AndNot(knowsColor_, s.visible);
         if (!hn::AllFalse(F(), asks)) {
             Real before[3];
-            triplesAt(colors, placesOf(bin_), before);
+            triplesAt(colors, placesOf(s.from), before);
             for (int c = 0; c < 3; ++c) atBin_[c] = hn::IfThenElse(knowsColor_, atBin_[c], before[c]);
+            knowsColor_ = all();
         }
+        knowsColor_ = hn::Or(knowsColor_, hn::Not(stays));
         const Real zero = hn::Zero(F()), one = real(1);
-        const Real change = hn::ConvertTo(F(), hn::Sub(other.index, bin_));
-        const Real inverse = hn::Div(one, hn::IfThenElse(visible, hn::Mul(change, absorbed), one));
-        const Real length = hn::Sub(to, u_);
+        const Real change = hn::ConvertTo(F(), hn::Sub(s.other.index, s.from));
+        const Real inverse = hn::Div(one, hn::IfThenElse(s.visible, hn::Mul(change, s.absorbed), one));
+        const Real length = hn::Sub(to, from);
         // depth = absorbed / change · length; mean colour = glow / absorbed.
-        Real depth = hn::Mul(hn::Mul(hn::Mul(absorbed, absorbed), inverse), length);
-        const Real middle = hn::Mul(real(0.5F), hn::Add(u_, to));
-        if (HWY_UNLIKELY(volume_.steepness != nullptr)) depth = steepened(visible, middle, depth, length);
+        Real depth = hn::Mul(hn::Mul(hn::Mul(s.absorbed, s.absorbed), inverse), length);
+        const Real middle = hn::Mul(real(0.5F), hn::Add(from, to));
+        if (HWY_UNLIKELY(volume_.steepness != nullptr)) depth = steepened(s.visible, middle, depth, length);
         const Real through = exp2(hn::Mul(depth, real(-1.44269504F)));
-        const Real weight = hn::IfThenElseZero(visible, hn::Mul(transmittance_, hn::Sub(one, through)));
+        const Real weight = hn::IfThenElseZero(s.visible, hn::Mul(transmittance_, hn::Sub(one, through)));
         const Real perDepth = hn::Mul(change, inverse);
         Real glow[3], mean[3];
-        triplesAt(colors, other, glow);
+        triplesAt(colors, s.other, glow);
         for (int c = 0; c < 3; ++c) {
             mean[c] = hn::Min(hn::Max(hn::Mul(hn::Sub(glow[c], atBin_[c]), perDepth), zero), one);
-            atBin_[c] = hn::IfThenElse(same, atBin_[c], glow[c]);
+            atBin_[c] = hn::IfThenElse(stays, atBin_[c], glow[c]);
         }
-        knowsColor_ = all();
         if (volume_.light.shading) {
-            const Mask lit = hn::And(visible, hn::Gt(weight, real(kFaint)));
+            const Mask lit = hn::And(s.visible, hn::Gt(weight, real(kFaint)));
             if (!hn::AllFalse(F(), lit)) shade(lit, middle, weight, mean);
         }
         for (int c = 0; c < 3; ++c) color_[c] = hn::Add(color_[c], hn::Mul(weight, mean[c]));
-        transmittance_ = hn::IfThenElse(visible, hn::Mul(transmittance_, through), transmittance_);
+        transmittance_ = hn::IfThenElse(s.visible, hn::Mul(transmittance_, through), transmittance_);
     }
 
     /// The gradient at u turned to world space, of any length.

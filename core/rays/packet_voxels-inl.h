@@ -132,12 +132,15 @@ HWY_INLINE Real interpolated(const VoxelAccess& s, const Place& p, const Places&
     return lerp(low, high, p.w);
 }
 
-/// The trilinear value, without `bias`.
+/// The trilinear values at two places of each lane, without `bias`. Together, since each waits for its voxels.
 template <class Voxels>
-HWY_INLINE Real valueAt(const VoxelAccess& s, const Place& p) {
-    const Places at = placesOf(indexOf(s, p));
-    if (HWY_LIKELY(Voxels::within(s, at.index))) return interpolated<Voxels, false>(s, p, at);
-    return interpolated<Voxels, true>(s, p, at);
+HWY_INLINE void valuesAt(const VoxelAccess& s, const Place (&p)[2], Real (&values)[2]) {
+    const Places at[2] = {placesOf(indexOf(s, p[0])), placesOf(indexOf(s, p[1]))};
+    if (HWY_LIKELY(Voxels::within(s, hn::Max(at[0].index, at[1].index)))) {
+        for (int n = 0; n < 2; ++n) values[n] = interpolated<Voxels, false>(s, p[n], at[n]);
+    } else {
+        for (int n = 0; n < 2; ++n) values[n] = interpolated<Voxels, true>(s, p[n], at[n]);
+    }
 }
 
 /// Differences of one voxel along the index axes as volume.h defines them, of places at least one sample away from
