@@ -151,7 +151,8 @@ private:
 
     /// What the table tells of a stretch between two samples.
     struct Stretch {
-        Mask taken;      // lanes that take it, be its beginning known or not
+        Mask taken;      // lanes that take it …
+        Mask known;      // … and those that have a sample at its beginning
         Mask same;       // of those with a beginning, the ones whose value does not change
         Whole from;      // its bins: where it begins …
         Places other;    // … and ends; a value that does not change is taken to change by one bin
@@ -162,6 +163,7 @@ private:
     HWY_INLINE Stretch stretch(Mask taken, Mask known, Whole from, Real depthThere, const Sample& end) const {
         Stretch s;
         s.taken = taken;
+        s.known = known;
         s.from = from;
         s.same = hn::And(known, hn::RebindMask(F(), hn::Eq(end.bin, from)));
         s.other = placesOf(hn::IfThenElse(hn::RebindMask(I(), s.same), hn::Add(end.bin, whole(1)), end.bin));
@@ -187,12 +189,12 @@ private:
         packet_.samples += hn::CountTrue(F(), active_) + hn::CountTrue(F(), goesOn);
 
         const Sample one = sampleOf(values[0]), two = sampleOf(values[1]);
-        const Stretch first = stretch(active_, have_, bin_, depth_, one);
-        Stretch second = stretch(goesOn, one.defined, one.bin, first.depth, two);
-        composite(first, have_, u_, to);
-        // No matter who takes its samples together: a ray ends where it is opaque.
-        second.visible = hn::And(second.visible, hn::Gt(transmittance_, real(kOpaque)));
-        composite(second, one.defined, to, next);
+        Stretch both[2];
+        both[0] = stretch(active_, have_, bin_, depth_, one);
+        both[1] = stretch(goesOn, one.defined, one.bin, both[0].depth, two);
+        const Real ends[3] = {u_, to, next};
+        composite(both, ends);
+        const Stretch &first = both[0], &second = both[1];
 
         const Mask visible = hn::Or(hn::And(goesOn, second.visible), hn::AndNot(goesOn, first.visible));
         // What is seen is in no empty brick.
@@ -226,46 +228,53 @@ private:
         distance_ = hn::IfThenElseZero(hn::Not(hn::RebindMask(I(), over)), distance_);
     }
 
-    /// Adds a stretch from `from` to `to`; `known`: lanes with a sample at its beginning.
-    HWY_INLINE void composite(const Stretch& s, Mask known, Real from, Real to) {
-        if (hn::AllFalse(F(), s.visible)) {
+    /// Adds two stretches, which follow each other between `ends`.
+    HWY_INLINE void composite(Stretch (&s)[2], const Real (&ends)[3]) {
+        if (hn::AllFalse(F(), hn::Or(s[0].visible, s[1].visible))) {
             // Where nothing is absorbed the table of colours does not change.
-            knowsColor_ = hn::AndNot(hn::AndNot(known, s.taken), knowsColor_);
+            for (const Stretch& stretch : s) knowsColor_ = hn::AndNot(hn::AndNot(stretch.known, stretch.taken), knowsColor_);
             return;
         }
         const float* colors = table_.color.data();
-        const Mask stays = hn::Or(s.same, hn::Not(s.taken));
-        const Mask asks = hn::AndNot(knowsColor_, s.visible);
+        const Mask changes[2] = {hn::AndNot(s[0].same, s[0].taken), hn::AndNot(s[1].same, s[1].taken)};
+        const Mask asks = hn::AndNot(knowsColor_, hn::Or(s[0].visible, hn::AndNot(changes[0], s[1].visible)));
         if (!hn::AllFalse(F(), asks)) {
             Real before[3];
-            triplesAt(colors, placesOf(s.from), before);
+            triplesAt(colors, placesOf(s[0].from), before);
             for (int c = 0; c < 3; ++c) atBin_[c] = hn::IfThenElse(knowsColor_, atBin_[c], before[c]);
             knowsColor_ = all();
         }
-        knowsColor_ = hn::Or(knowsColor_, hn::Not(stays));
+        knowsColor_ = hn::Or(knowsColor_, hn::Or(changes[0], changes[1]));
         const Real zero = hn::Zero(F()), one = real(1);
-        const Real change = hn::ConvertTo(F(), hn::Sub(s.other.index, s.from));
-        const Real inverse = hn::Div(one, hn::IfThenElse(s.visible, hn::Mul(change, s.absorbed), one));
-        const Real length = hn::Sub(to, from);
-        // depth = absorbed / change · length; mean colour = glow / absorbed.
-        Real depth = hn::Mul(hn::Mul(hn::Mul(s.absorbed, s.absorbed), inverse), length);
-        const Real middle = hn::Mul(real(0.5F), hn::Add(from, to));
-        if (HWY_UNLIKELY(volume_.steepness != nullptr)) depth = steepened(s.visible, middle, depth, length);
-        const Real through = exp2(hn::Mul(depth, real(-1.44269504F)));
-        const Real weight = hn::IfThenElseZero(s.visible, hn::Mul(transmittance_, hn::Sub(one, through)));
-        const Real perDepth = hn::Mul(change, inverse);
-        Real glow[3], mean[3];
-        triplesAt(colors, s.other, glow);
-        for (int c = 0; c < 3; ++c) {
-            mean[c] = hn::Min(hn::Max(hn::Mul(hn::Sub(glow[c], atBin_[c]), perDepth), zero), one);
-            atBin_[c] = hn::IfThenElse(stays, atBin_[c], glow[c]);
+        Real middle[2], through[2], mean[2][3];
+        for (int n = 0; n < 2; ++n) {
+            const Real change = hn::ConvertTo(F(), hn::Sub(s[n].other.index, s[n].from));
+            const Real inverse = hn::Div(one, hn::IfThenElse(s[n].visible, hn::Mul(change, s[n].absorbed), one));
+            const Real length = hn::Sub(ends[n + 1], ends[n]);
+            // depth = absorbed / change · length; mean colour = glow / absorbed.
+            Real depth = hn::Mul(hn::Mul(hn::Mul(s[n].absorbed, s[n].absorbed), inverse), length);
+            middle[n] = hn::Mul(real(0.5F), hn::Add(ends[n], ends[n + 1]));
+            if (HWY_UNLIKELY(volume_.steepness != nullptr)) depth = steepened(s[n].visible, middle[n], depth, length);
+            through[n] = exp2(hn::Mul(depth, real(-1.44269504F)));
+            const Real perDepth = hn::Mul(change, inverse);
+            Real glow[3];
+            triplesAt(colors, s[n].other, glow);
+            for (int c = 0; c < 3; ++c) {
+                mean[n][c] = hn::Min(hn::Max(hn::Mul(hn::Sub(glow[c], atBin_[c]), perDepth), zero), one);
+                atBin_[c] = hn::IfThenElse(changes[n], glow[c], atBin_[c]);
+            }
         }
-        if (volume_.light.shading) {
-            const Mask lit = hn::And(s.visible, hn::Gt(weight, real(kFaint)));
-            if (!hn::AllFalse(F(), lit)) shade(lit, middle, weight, mean);
+        for (int n = 0; n < 2; ++n) {
+            // A ray ends where it is opaque, whichever samples it takes together.
+            const Mask visible = hn::And(s[n].visible, hn::Gt(transmittance_, real(kOpaque)));
+            const Real weight = hn::IfThenElseZero(visible, hn::Mul(transmittance_, hn::Sub(one, through[n])));
+            if (volume_.light.shading) {
+                const Mask lit = hn::And(visible, hn::Gt(weight, real(kFaint)));
+                if (!hn::AllFalse(F(), lit)) shade(lit, middle[n], weight, mean[n]);
+            }
+            for (int c = 0; c < 3; ++c) color_[c] = hn::Add(color_[c], hn::Mul(weight, mean[n][c]));
+            transmittance_ = hn::IfThenElse(visible, hn::Mul(transmittance_, through[n]), transmittance_);
         }
-        for (int c = 0; c < 3; ++c) color_[c] = hn::Add(color_[c], hn::Mul(weight, mean[c]));
-        transmittance_ = hn::IfThenElse(s.visible, hn::Mul(transmittance_, through), transmittance_);
     }
 
     /// The gradient at u turned to world space, of any length.
