@@ -25,7 +25,7 @@ MarchPicture::MarchPicture(SliceWorkshop& workshop, const CompiledScene& scene, 
                            double step)
     : workshop_(workshop), plan_(std::move(plan)), view_(makeView(scene.camera, size)), step_(step) {
     workshop.resources.prepareTexture(*plan_.volume);
-    workshop.target.start(size);
+    workshop.target.start(size, false);
     const BrickSet& cells = workshop.march.cells();
     statistics_.cells = cells.size();
     statistics_.culledCells =

@@ -22,7 +22,7 @@ SlicePicture::SlicePicture(SliceWorkshop& workshop, const CompiledScene& scene, 
     const Surroundings surroundings(scene);
     surrounded_ = !surroundings.none();
     if (surrounded_) workshop.surroundings.prepare(surroundings);
-    workshop.target.start(size);
+    workshop.target.start(size, true);
     if (folded_) workshop.fold.resize(size);
     for (const SliceContent::Part& part : content_->parts()) addLayer(part);
     layOut();

@@ -98,13 +98,11 @@ unsigned SliceRenderer::texture() const {
 Picture SliceRenderer::readBack() const {
     const Vec3f background = state_->background;
     const Index2 size = state_->workshop.target.size();
-    const std::vector<Vec4f> rows = state_->workshop.target.read();
     Picture picture(size);
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const Vec4f& from = rows[std::size_t(size.y - 1 - y) * std::size_t(size.x) + std::size_t(x)];
-            picture.at(x, y) = Vec4f(Vec3f(from) + (1 - from.a) * background, from.a);
-        }
+    state_->workshop.target.read(picture.pixels);
+    const auto row = [&](int y) { return picture.pixels.begin() + std::ptrdiff_t(y) * size.x; };
+    for (int y = 0; y < size.y / 2; ++y) std::swap_ranges(row(y), row(y + 1), row(size.y - 1 - y));
+    for (Vec4f& p : picture.pixels) p = Vec4f(Vec3f(p) + (1 - p.a) * background, p.a);
     return picture;
 }
 

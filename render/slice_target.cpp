@@ -2,25 +2,30 @@
 
 namespace voledit {
 
-void SliceTarget::start(Index2 size) {
+void SliceTarget::start(Index2 size, bool masks) {
     if (size != size_) {
         size_ = size;
         color_ = makeTexture2D(GL_RGBA32F, size);
+        plain_ = makeFramebuffer(color_.name(), 0, false);
+        depth_ = {};
+        if (!nothing_) nothing_ = makeVertexArray();
+    }
+    masks_ = masks;
+    if (masks && !depth_) {
         depth_ = makeTexture2D(GL_DEPTH_COMPONENT24, size);
         slices_ = makeFramebuffer(color_.name(), depth_.name(), false);
         masking_ = makeFramebuffer(0, depth_.name(), false);
-        if (!nothing_) nothing_ = makeVertexArray();
     }
     glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     const float clear[4] = {0, 0, 0, 0}, far = 1;
-    glClearNamedFramebufferfv(slices_.name(), GL_COLOR, 0, clear);
-    glClearNamedFramebufferfv(slices_.name(), GL_DEPTH, 0, &far);
+    glClearNamedFramebufferfv(drawn().name(), GL_COLOR, 0, clear);
+    if (masks) glClearNamedFramebufferfv(drawn().name(), GL_DEPTH, 0, &far);
 }
 
 void SliceTarget::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, slices_.name());
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn().name());
     glViewport(0, 0, size_.x, size_.y);
     glDisable(GL_CULL_FACE);
     glDisable(GL_STENCIL_TEST);
@@ -55,10 +60,8 @@ void SliceTarget::mask(ShaderLibrary& shaders, const std::array<int, 4>& window)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-std::vector<Vec4f> SliceTarget::read() const {
-    std::vector<Vec4f> pixels(std::size_t(size_.x) * std::size_t(size_.y));
-    glGetTextureImage(color_.name(), 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size() * sizeof(Vec4f)), pixels.data());
-    return pixels;
+void SliceTarget::read(std::span<Vec4f> pixels) const {
+    glGetTextureImage(color_.name(), 0, GL_RGBA, GL_FLOAT, GLsizei(pixels.size_bytes()), pixels.data());
 }
 
 }  // namespace voledit

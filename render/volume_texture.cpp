@@ -10,19 +10,21 @@ namespace voledit {
 
 namespace {
 
-/// How integers of T are spread over 0…65535: stored = (value − lowest) · step.
+/// How voxels of T are stored. Short integers are counted from the lowest one, the largest being 1 in the shader.
 template <class T>
-struct Spread {
-    static constexpr int kLowest = std::numeric_limits<T>::lowest();
-    static constexpr int kStep = sizeof(T) == 1 ? 257 : 1;
+struct Storage {
+    static constexpr bool kShort = std::is_integral_v<T> && sizeof(T) <= 2;
+    static constexpr bool kByte = kShort && sizeof(T) == 1;
+    using Stored = std::conditional_t<kByte, std::uint8_t, std::conditional_t<kShort, std::uint16_t, float>>;
+    static constexpr GLenum kFormat = kByte ? GL_R8 : kShort ? GL_R16 : GL_R32F;
+    static constexpr GLenum kType = kByte ? GL_UNSIGNED_BYTE : kShort ? GL_UNSIGNED_SHORT : GL_FLOAT;
+    static constexpr int kLowest = kShort ? int(std::numeric_limits<T>::lowest()) : 0;
 };
 
-template <class T>
-constexpr bool kFitsR16 = std::is_integral_v<T> && sizeof(T) <= 2;
-
-/// Calls upload(firstSlice, sliceCount, values) until every slice of `channel` was converted to Stored.
-template <class Stored, class T, class Upload>
-void convert(const Volume& volume, int channel, T, const Upload& upload) {
+/// Calls upload(firstSlice, sliceCount, values) until every slice of `channel` was converted to what is stored.
+template <class T, class Upload>
+void convert(const Volume& volume, int channel, const Upload& upload) {
+    using Stored = typename Storage<T>::Stored;
     const VolumeGrid& grid = volume.grid();
     const T* voxels = reinterpret_cast<const T*>(volume.voxels().data()) + channel;
     const std::size_t slice = std::size_t(grid.size.x) * std::size_t(grid.size.y);
@@ -41,8 +43,8 @@ void convert(const Volume& volume, int channel, T, const Upload& upload) {
         parallelFor(slice * std::size_t(count), 1 << 17, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 const T value = from[n * std::size_t(grid.channels)];
-                if constexpr (kFitsR16<T>)
-                    values[n] = Stored((int(value) - Spread<T>::kLowest) * Spread<T>::kStep);
+                if constexpr (Storage<T>::kShort)
+                    values[n] = Stored(int(value) - Storage<T>::kLowest);
                 else
                     values[n] = Stored(value);
             }
@@ -69,24 +71,24 @@ VolumeTexture makeVolumeTexture(const Volume& volume, int channel) {
     VolumeTexture result{Texture(name), 1, 0};
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTextureParameteri(name, filter, GL_LINEAR);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+    // As GL_CLAMP_TO_EDGE, within half a sample beyond the volume. llvmpipe filters bytes in 8 bits unless an axis is
+    // wrapped in some way that its short cut does not know, and in floats then.
+    glTextureParameteri(name, GL_TEXTURE_WRAP_R, GL_MIRROR_CLAMP_TO_EDGE);
     while (glGetError() != GL_NO_ERROR) {
     }
     withVoxelType(volume.type(), [&](auto t) {
-        using T = decltype(t);
-        using Stored = std::conditional_t<kFitsR16<T>, std::uint16_t, float>;
-        glTextureStorage3D(name, 1, kFitsR16<T> ? GL_R16 : GL_R32F, size.x, size.y, size.z);
+        using As = Storage<decltype(t)>;
+        glTextureStorage3D(name, 1, As::kFormat, size.x, size.y, size.z);
         if (glGetError() == GL_OUT_OF_MEMORY)
             throw Error("volume", "the GPU's memory is too small for it", "use --renderer rays");
-        if constexpr (kFitsR16<T>) {
-            result.valueScale = 65535.0 / Spread<T>::kStep;
-            result.valueOffset = Spread<T>::kLowest;
+        if constexpr (As::kShort) {
+            result.valueScale = std::numeric_limits<typename As::Stored>::max();
+            result.valueOffset = As::kLowest;
         }
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        convert<Stored>(volume, channel, t, [&](int k, int count, const Stored* values) {
-            glTextureSubImage3D(name, 0, 0, 0, k, size.x, size.y, count, GL_RED,
-                                kFitsR16<T> ? GL_UNSIGNED_SHORT : GL_FLOAT, values);
+        convert<decltype(t)>(volume, channel, [&](int k, int count, const typename As::Stored* values) {
+            glTextureSubImage3D(name, 0, 0, 0, k, size.x, size.y, count, GL_RED, As::kType, values);
         });
         glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     });

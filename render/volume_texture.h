@@ -6,9 +6,8 @@
 
 namespace voledit {
 
-/// One channel of a volume as a 3-D texture with linear filtering. 8- and 16-bit integers lie in R16, spread over all
-/// of its range (R8 would be filtered in 8 bits); other types in R32F, to which 32-bit integers and doubles are
-/// rounded.
+/// One channel of a volume as a 3-D texture with linear filtering in floats. 8- and 16-bit integers lie in R8 and R16;
+/// other types in R32F, to which 32-bit integers and doubles are rounded.
 struct VolumeTexture {
     Texture texture;
     double valueScale = 1;  // data value = raw · valueScale + valueOffset, raw being what the texture gives

@@ -68,7 +68,7 @@ Picture finishedPicture(Picture drawn, const RenderSettings& settings) {
     return drawn;
 }
 
-Picture reduced(const Picture& picture, int factor) {
+Picture reduced(Picture picture, int factor) {
     assert(factor > 0 && picture.size.x % factor == 0 && picture.size.y % factor == 0);
     if (factor == 1) return picture;
     Picture result(picture.size / factor);

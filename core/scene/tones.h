@@ -34,6 +34,6 @@ private:
 Picture finishedPicture(Picture drawn, const RenderSettings& settings);
 
 /// A picture of size / `factor` whose pixels are the means of factor × factor. Needs sizes that are multiples.
-Picture reduced(const Picture& picture, int factor);
+Picture reduced(Picture picture, int factor);
 
 }  // namespace voledit

@@ -60,6 +60,31 @@ TEST(MarchPicture, IsAsCloseToFineRaysAsSlicesAre) {
         }
 }
 
+/// Few values, which neighbours differ in, as voxels of type T.
+template <class T>
+std::shared_ptr<const Volume> fewValues() {
+    VolumeGrid grid;
+    grid.size = Index3(12);
+    std::vector<T> values;
+    for (int n = 0; n < 12 * 12 * 12; ++n) values.push_back(T(100 + (n + n / 12 * 2 + n / 144 * 3) % 8));
+    return Volume::fromValues(grid, std::move(values));
+}
+
+TEST(MarchPicture, BytesAreFilteredAsFinelyAsFloats) {
+    TransferFunction look;  // that shows differences below one of 255 levels
+    look.color.points = {{100, {1, 0, 0}}, {102, {0, 1, 0}}, {104, {0, 0, 1}}, {107, {1, 1, 0}}};
+    look.opacity.points = {{100, 0.02}, {107, 0.3}};
+    for (const bool march : {true, false}) {
+        const auto drawn = [&](const std::shared_ptr<const Volume>& volume) {
+            return slicesOf(sceneOf(makeVolumeTerm(volume, 0, look), 1), kSize, {.march = march});
+        };
+        const Picture floats = drawn(fewValues<float>());
+        EXPECT_GE(psnr(drawn(fewValues<std::uint8_t>()), floats), 60);
+        EXPECT_GE(psnr(drawn(fewValues<std::int8_t>()), floats), 60);
+        EXPECT_GE(psnr(drawn(fewValues<std::uint16_t>()), floats), 60);
+    }
+}
+
 TEST(MarchPicture, ChainsAreBakedAsAWholeWhileMovingAndExactAtRest) {
     const TermPtr inner = through(bentLattice(ball()->bounds), ball());
     const auto turn = std::make_shared<AffineMap>(placementMatrix({0.1, -0.1, 0}, {0.2, 0.5, -0.1}, {1.1, 0.9, 1}));
