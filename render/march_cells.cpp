@@ -5,37 +5,47 @@
 #include <glm/common.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/quad.h"
 
 namespace voledit {
 
 namespace {
 
 /// Voxels that a ray, straight within a block, may lie beside the map's own cells.
-constexpr double kBeside = 0.5;
+constexpr float kBeside = 0.5F;
 
 std::size_t volumeOf(Index3 n) {
     return std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z);
 }
 
-/// Eight nodes about a cell.
-struct CellCorners {
-    Box3 box;
+/// Some nodes of a map: how many are known, and the box of these.
+struct Nodes {
+    Quad low = quadOf(HUGE_VALF), high = quadOf(-HUGE_VALF);
     int known = 0;
+
+    void add(const Vec4f& node) {
+        if (!(node.w > 0)) return;
+        ++known;
+        low = lower(low, quadOf(node));
+        high = higher(high, quadOf(node));
+    }
+    void add(const Nodes& other) {
+        known += other.known;
+        low = lower(low, other.low);
+        high = higher(high, other.high);
+    }
+    /// Whether they and what lies beside them meets a box.
+    bool meet(Quad min, Quad max) const {
+        const auto apart = (low - kBeside > max) | (high + kBeside < min);
+        return !(apart[0] | apart[1] | apart[2]);
+    }
 };
-CellCorners cornersOf(const BakedMap& map, Index3 cell) {
-    CellCorners corners;
-    const Vec4f* first = map.node.data() + map.grid.indexOf(cell);
-    const std::size_t row = std::size_t(map.grid.nodes.x), layer = row * std::size_t(map.grid.nodes.y);
-    Vec4f low(HUGE_VALF), high(-HUGE_VALF);
-    for (const std::size_t at : {std::size_t(0), row, layer, layer + row})
-        for (const std::size_t n : {at, at + 1}) {
-            if (!(first[n].w > 0)) continue;
-            ++corners.known;
-            low = glm::min(low, first[n]);
-            high = glm::max(high, first[n]);
-        }
-    corners.box = {Vec3(Vec3f(low)) - kBeside, Vec3(Vec3f(high)) + kBeside};
-    return corners;
+
+/// The four nodes of a row of cells at one place along it.
+Nodes nodesAcross(const Vec4f* first, std::size_t row, std::size_t layer) {
+    Nodes nodes;
+    for (const std::size_t at : {std::size_t(0), row, layer, layer + row}) nodes.add(first[at]);
+    return nodes;
 }
 
 }  // namespace
@@ -49,10 +59,13 @@ Interval finiteRangeOf(const ValueBricks& bricks) {
     return range.low <= range.high ? range : Interval{0, 0};
 }
 
-bool VisibleBricks::any(const Box3& box) const {
-    // Beyond what an int holds it is outside, too.
-    const auto brick = [&](const Vec3& p) { return Index3(glm::floor(glm::clamp(p / side(), Vec3(-9), Vec3(1e6)))); };
-    return set.any(brick(box.min), brick(box.max) + 1);
+bool VisibleBricks::any(Quad min, Quad max) const {
+    const auto perVoxel = float(1 / side());
+    // Beyond what an int holds it is outside, too; above 0 conversion rounds down.
+    const auto brick = [&](Quad p) {
+        return index3Of(lower(higher(p * perVoxel, quadOf(-9)), quadOf(1e6F)) + 16.0F) - 16;
+    };
+    return set.any(brick(min), brick(max) + 1);
 }
 
 VisibleBricks visibleBricks(const ValueBricks& values, const MarchTable& table) {
@@ -79,6 +92,9 @@ VisibleBricks visibleBricks(const ValueBricks& values, const MarchTable& table) 
 
 SeenCells seenCells(const BakedMap& map, const VisibleBricks& bricks, const Box3& clip) {
     const Index3 count = map.grid.nodes - 1;
+    const std::size_t nodesOfRow = std::size_t(map.grid.nodes.x);
+    const std::size_t nodesOfLayer = nodesOfRow * std::size_t(map.grid.nodes.y);
+    const Quad clipMin = quadOf(clip.min), clipMax = quadOf(clip.max);
     SeenCells result{std::vector<std::uint8_t>(volumeOf(count), 0), true};
     std::vector<char> unknown(std::size_t(count.z), 0);
     parallelFor(std::size_t(count.z), 1, [&](std::size_t begin, std::size_t end) {
@@ -86,13 +102,18 @@ SeenCells seenCells(const BakedMap& map, const VisibleBricks& bricks, const Box3
             for (int j = 0; j < count.y; ++j) {
                 std::uint8_t* row = result.seen.data() +
                                     std::size_t(count.x) * (std::size_t(j) + std::size_t(count.y) * std::size_t(k));
+                const Vec4f* first = map.node.data() + map.grid.indexOf({0, j, k});
+                Nodes ahead = nodesAcross(first, nodesOfRow, nodesOfLayer);
                 for (int i = 0; i < count.x; ++i) {
-                    const CellCorners corners = cornersOf(map, {i, j, k});
+                    Nodes corners = ahead;
+                    ahead = nodesAcross(first + i + 1, nodesOfRow, nodesOfLayer);
+                    corners.add(ahead);
                     if (corners.known == 0) continue;
-                    const Box3 box = intersect(corners.box, {clip.min - kBeside, clip.max + kBeside});
-                    if (box.empty() || !bricks.any(box)) continue;
+                    if (!corners.meet(clipMin - kBeside, clipMax + kBeside) ||
+                        !bricks.any(higher(corners.low, clipMin) - kBeside, lower(corners.high, clipMax) + kBeside))
+                        continue;
                     row[i] = corners.known == 8;
-                    if (corners.known < 8 && !intersect(corners.box, clip).empty()) unknown[std::size_t(k)] = 1;
+                    if (corners.known < 8 && corners.meet(clipMin, clipMax)) unknown[std::size_t(k)] = 1;
                 }
             }
     });

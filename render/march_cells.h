@@ -1,6 +1,7 @@
 #pragma once
 // Which cells rays have to look into: bricks of a volume, or cells of a baked map's grid.
 
+#include "core/base/quad.h"
 #include "core/eval/baked_map.h"
 #include "core/fields/brick_set.h"
 #include "core/fields/value_bricks.h"
@@ -21,7 +22,8 @@ struct VisibleBricks {
 
     double side() const { return double(ValueBricks::kSide << shift); }
     /// False only if nothing can be seen in `box` (index space); in constant time.
-    bool any(const Box3& box) const;
+    bool any(const Box3& box) const { return any(quadOf(box.min), quadOf(box.max)); }
+    bool any(Quad min, Quad max) const;
 };
 /// As fine as kMostCells allows.
 VisibleBricks visibleBricks(const ValueBricks& values, const MarchTable& table);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 
 #include "core/base/parallel.h"
+#include "core/eval/baked_cells.h"
 #include "core/stf/mapped_cells.h"
 
 namespace voledit {
@@ -73,46 +75,53 @@ std::vector<TransferPtr> mapsOf(const MarchPlan& plan) {
     return plan.forward ? std::vector<TransferPtr>{plan.forward->by} : plan.chain;
 }
 
-/// Bakes what a plan's map is: cells, or a chain of anything.
+PlaceMap exactMap(const MarchPlan& plan) {
+    return [&plan](std::span<const Vec3> p, std::span<Vec3> place) { mapChain(plan, p, place); };
+}
+
+/// A term's box may be far too large after some maps: what is seen of it is found by a coarse grid.
+Box3 boundsOfChain(const MarchPlan& plan, const VisibleBricks& bricks) {
+    const BakeGrid coarse = bakeGrid(plan.root->bounds, 40);
+    const SeenCells seen = seenCells(bake(exactMap(plan), coarse), bricks, plan.clip);
+    const BrickSet cells = mergedCells(coarse.nodes - 1, seen.seen, 0);
+    if (cells.empty()) return plan.root->bounds;
+    const Box3 box{coarse.origin + coarse.cell * (Vec3(cells.first()) - 1.0),
+                   coarse.origin + coarse.cell * (Vec3(cells.end()) + 1.0)};
+    return intersect(box, plan.root->bounds);
+}
+
+/// World box of what may be seen.
+Box3 bakedBounds(const MarchPlan& plan, const VisibleBricks& bricks) {
+    if (!plan.forward) return boundsOfChain(plan, bricks);
+    Vec3 low(kInfinity), high(-kInfinity);
+    for (const Vec3& deformed : plan.forward->by->cells()->deformed()) {
+        const Vec3 p = transformPoint(plan.worldFromDeformed, deformed);
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return {low, high};
+}
+
+/// Bakes what a plan's map is, cells or a chain of anything, for one grid.
 class MapBaker {
 public:
-    MapBaker(const MarchPlan& plan, std::function<bool(const Box3&)> wanted) : plan_(plan) {
+    MapBaker(const MarchPlan& plan, const BakeGrid& grid, std::function<bool(const Box3&)> wanted)
+        : plan_(plan), grid_(grid) {
         if (plan.forward)
-            cells_ =
-                BakedCells{plan.forward->by->cells(), plan.worldFromDeformed, plan.indexFromSource, std::move(wanted)};
+            cells_.emplace(
+                BakedCells{plan.forward->by->cells(), plan.worldFromDeformed, plan.indexFromSource, std::move(wanted)},
+                grid);
     }
-
-    /// World box of what may be seen.
-    Box3 bounds(const VisibleBricks& bricks) const {
-        if (!cells_) return boundsOfChain(bricks);
-        Box3 box;
-        for (const Vec3& p : cells_->cells->deformed()) box = join(box, transformPoint(plan_.worldFromDeformed, p));
-        return box;
-    }
-    BakedMap bake(const BakeGrid& grid) const {
-        return cells_ ? voledit::bake(*cells_, grid) : voledit::bake(exact(), grid);
-    }
-    double error(const BakedMap& map, const std::vector<std::uint8_t>& seen, double straight) const {
-        return cells_ ? bakeError(map, *cells_, seen, straight) : bakeError(map, exact(), seen, straight);
+    BakedMap bake() const { return cells_ ? cells_->bake() : voledit::bake(exactMap(plan_), grid_); }
+    /// What the map is known to give at centres of cells that are seen.
+    std::vector<BakedMap::Known> centres(const BakedMap& map, const std::vector<std::uint8_t>& seen) const {
+        return cells_ ? cells_->centres(seen) : bakedCentres(map, exactMap(plan_), seen);
     }
 
 private:
-    /// A term's box may be far too large after some maps: what is seen of it is found by a coarse grid.
-    Box3 boundsOfChain(const VisibleBricks& bricks) const {
-        const BakeGrid coarse = bakeGrid(plan_.root->bounds, 40);
-        const SeenCells seen = seenCells(voledit::bake(exact(), coarse), bricks, plan_.clip);
-        const BrickSet cells = mergedCells(coarse.nodes - 1, seen.seen, 0);
-        if (cells.empty()) return plan_.root->bounds;
-        const Box3 box{coarse.origin + coarse.cell * (Vec3(cells.first()) - 1.0),
-                       coarse.origin + coarse.cell * (Vec3(cells.end()) + 1.0)};
-        return intersect(box, plan_.root->bounds);
-    }
-    PlaceMap exact() const {
-        return [this](std::span<const Vec3> p, std::span<Vec3> place) { mapChain(plan_, p, place); };
-    }
-
     const MarchPlan& plan_;
-    std::optional<BakedCells> cells_;
+    BakeGrid grid_;
+    std::optional<CellBaker> cells_;
 };
 
 }  // namespace
@@ -169,6 +178,7 @@ bool MarchResources::holds(const MarchPlan& plan, const BakeRequest& request) co
         return false;
     for (std::size_t n = 0; n < maps.size(); ++n)
         if (baked_->source[n].lock() != maps[n]) return false;
+    if (request.lit && !baked_->request.lit) return false;
     // One made for a picture at rest serves moving ones.
     if (request.moving && baked_->good) return request.step <= baked_->request.step;
     return baked_->request.moving == request.moving && baked_->request.step == request.step;
@@ -177,27 +187,29 @@ bool MarchResources::holds(const MarchPlan& plan, const BakeRequest& request) co
 bool MarchResources::bakeFinely(const MarchPlan& plan, const BakeRequest& request, int most) {
     const VisibleBricks& bricks = look_->bricks;
     const auto wanted = [&](const Box3& box) { return !request.cull || bricks.any(box); };
-    const MapBaker baker(plan, wanted);
-    const Box3 bounds = baker.bounds(bricks);
+    const Box3 bounds = bakedBounds(plan, bricks);
     const Vec3 size = bounds.size();
     // A step may pass two cells at most, as far as the map is continued beyond its faces.
     const double cells = std::min(2 * std::max({size.x, size.y, size.z}) / request.step, double(most));
     const BakeGrid grid = bakeGrid(bounds, std::clamp(int(cells) + 2 * kBakeBorder + 1, 2 * kBakeBorder + 2, most));
-    BakedMap map = baker.bake(grid);
+    const MapBaker baker(plan, grid, wanted);
+    BakedMap map = baker.bake();
     SeenCells seen = seenCells(map, bricks, plan.clip);
     if (!seen.known && plan.forward) {
-        map = MapBaker(plan, [](const Box3&) { return true; }).bake(grid);
+        map = MapBaker(plan, grid, [](const Box3&) { return true; }).bake();
         seen = seenCells(map, bricks, plan.clip);
     }
-    const auto errorOf = [&](double straight) { return request.moving ? 0 : baker.error(map, seen.seen, straight); };
-    const double error = seen.known || !plan.forward ? errorOf(0) : request.moving ? 0 : kInfinity;
+    // While something moves any error will do.
+    std::vector<BakedMap::Known> centres;
+    if (!request.moving) centres = baker.centres(map, seen.seen);
+    const double error = seen.known || !plan.forward || request.moving ? map.error(centres) : kInfinity;
     baked_->hopeless = !std::isfinite(error);
     if (!(error <= kLargestError)) return false;
     // Blocks of rays are straight; the map is continued by two cells beyond its faces.
     baked_->steps = 1;
     for (const int steps : {4, 2})
         if (baked_->steps == 1 && steps * request.step <= kBakeBorder * grid.cell &&
-            errorOf(steps * request.step) <= kLargestError)
+            map.error(centres, steps * request.step / grid.cell) <= kLargestError)
             baked_->steps = steps;
     const bool many = seen.seen.size() > kMostCells;
     baked_->cells = mergedCells(grid.nodes - 1, seen.seen, many);
@@ -205,7 +217,7 @@ bool MarchResources::bakeFinely(const MarchPlan& plan, const BakeRequest& reques
     baked_->side = many ? 2 : 1;
     baked_->distances = makeDistances(baked_->cells);
     baked_->nodes = makeNodes(grid.nodes, map.node);
-    baked_->jacobian = makeJacobians(map);
+    if (request.lit) baked_->jacobian = makeJacobians(map);
     baked_->grid = grid;
     return baked_->good = true;
 }

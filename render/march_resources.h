@@ -16,6 +16,7 @@ namespace voledit {
 struct BakeRequest {
     bool cull = true;     // false: everything counts as visible
     bool moving = false;  // a coarse map will do, whatever its error
+    bool lit = true;      // its Jacobians are needed
     double step = 1;      // world units
 };
 
@@ -40,7 +41,8 @@ public:
     const BakeGrid* grid() const { return baked_ ? &baked_->grid : nullptr; }
     /// Steps that rays may go straight.
     int stepsOfBlock() const { return baked_ ? baked_->steps : 4; }
-    /// Binds the tables to texture units 1 … 3, the cells' distances to 4, the map and its Jacobians to 5 … 8.
+    /// Binds the tables to texture units 1 … 3, the cells' distances to 4, the map and its Jacobians, if there are, to
+    /// 5 … 8.
     void bind() const;
 
 private:
@@ -65,7 +67,7 @@ private:
         double side = 1;
         int steps = 1;
         Texture nodes = {}, distances = {};
-        std::array<Texture, 3> jacobian = {};
+        std::array<Texture, 3> jacobian = {};  // where they were asked for
     };
     void prepareLook(const VolumeTerm& term, bool cull);
     bool holds(const MarchPlan& plan, const BakeRequest& request) const;

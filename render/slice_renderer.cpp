@@ -21,7 +21,9 @@ std::unique_ptr<PictureWork> startPicture(SliceWorkshop& workshop, const Compile
     if (workshop.options.march) {
         auto plan = planMarch(scene);
         const double step = scene.stepLength() * stepScale;
-        if (plan && workshop.march.prepare(*plan, {.cull = workshop.options.cull, .moving = moving, .step = step}))
+        const BakeRequest request{
+            .cull = workshop.options.cull, .moving = moving, .lit = scene.render.shading, .step = step};
+        if (plan && workshop.march.prepare(*plan, request))
             return std::make_unique<MarchPicture>(workshop, scene, std::move(*plan), size, step);
     }
     return std::make_unique<SlicePicture>(workshop, scene, size, stepScale);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/box3.h"
-#include "core/stf/mapped_cells.h"
 
 namespace voledit {
 
@@ -41,37 +40,34 @@ struct BakedMap {
     /// d place / d world about a node, by differences to its neighbours that are known; 0 along axes without any.
     Mat3 jacobianAt(Index3 n) const;
     /// Linear between the nodes, at world point p; false where one of the eight is not known.
-    bool at(const Vec3& p, Vec3& place) const;
+    bool at(const Vec3& p, Vec3& place) const { return atGrid((p - grid.origin) / grid.cell, place); }
     /// Whether all eight nodes about p are known, not continued.
     bool surelyKnownAt(const Vec3& p) const;
+
+    /// What a map is known to give: the place at grid coordinates `at`, kUndefined where it is known not to do.
+    struct Known {
+        Vec3 at, place;
+    };
+    /// The largest distance, in places, of what linear interpolation between the nodes gives from what is known;
+    /// infinite where there is no place. In parallel.
+    /// @param straight  cells: the map is interpolated between places so far apart, half of it to either side, along
+    /// each axis; 0: at the point itself
+    double error(std::span<const Known> known, double straight = 0) const;
+
+    /// Continues known nodes linearly by kBakeBorder cells along each axis, which get `mark`. In parallel.
+    void continueOutwards(float mark);
+
+private:
+    bool atGrid(const Vec3& x, Vec3& place) const;
+    double errorAt(const Known& known, double straight) const;
 };
-
-/// Mapped cells as a baked map has them.
-struct BakedCells {
-    const MappedCells* cells;   // that do not overlap
-    Mat4 worldFromDeformed{1};  // affine maps outside the cells
-    Mat4 placeFromSource{1};    // and inside them
-    /// Whether the tetrahedra whose places lie in a box are wanted; nodes in others stay unknown. Called from many
-    /// threads.
-    std::function<bool(const Box3&)> wanted;
-};
-
-/// Exact at every node within a wanted tetrahedron. In parallel; the same for any number of threads.
-BakedMap bake(const BakedCells& cells, const BakeGrid& grid);
-
-/// The largest distance, in places, of what linear interpolation between the nodes gives from the exact map, at centres
-/// of cells (every fourth layer of them) for which `seen` says 1: one flag for each cell of the grid, i fastest.
-/// @param straight  world units: the map is interpolated between places so far apart, half of it to either side of a
-/// centre, along each axis; 0: at the centre
-double bakeError(const BakedMap& map, const BakedCells& cells, const std::vector<std::uint8_t>& seen,
-                 double straight = 0);
 
 /// Any map: place[n] of world point p[n], kUndefined where there is none. Called from many threads.
 using PlaceMap = std::function<void(std::span<const Vec3> p, std::span<Vec3> place)>;
 BakedMap bake(const PlaceMap& exact, const BakeGrid& grid);
-/// The same error, of all layers; infinite where the map is undefined at the centre of a cell, or a corner of it not
-/// known.
-double bakeError(const BakedMap& map, const PlaceMap& exact, const std::vector<std::uint8_t>& seen,
-                 double straight = 0);
+/// Centres of the map's cells for which `seen` says 1: one flag for each cell of the grid, i fastest. Undefined, too,
+/// where a corner of the cell is not surely known.
+std::vector<BakedMap::Known> bakedCentres(const BakedMap& map, const PlaceMap& exact,
+                                          const std::vector<std::uint8_t>& seen);
 
 }  // namespace voledit

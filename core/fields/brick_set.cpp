@@ -15,52 +15,69 @@ void spreadAlongRow(std::uint8_t* row, int count) {
     for (int i = count - 2; i >= 0; --i) row[i] = std::min(row[i], std::uint8_t(row[i + 1] + 1));
 }
 
-/// Lines of one layer of cells, each `width` long and `stride` apart.
-struct Lines {
+/// Lowers a row to what the one beside it allows.
+void spreadToRow(std::uint8_t* row, const std::uint8_t* beside, int count) {
+    const auto lowerTo = [&](int i, std::uint8_t nearest) { row[i] = std::min(row[i], std::uint8_t(nearest + 1)); };
+    lowerTo(0, std::min(beside[0], beside[std::min(1, count - 1)]));
+    for (int i = 1; i < count - 1; ++i) lowerTo(i, std::min(std::min(beside[i - 1], beside[i]), beside[i + 1]));
+    lowerTo(count - 1, std::min(beside[count - 1], beside[std::max(count - 2, 0)]));
+    spreadAlongRow(row, count);
+}
+
+/// Distances within one layer of rows, there and back [Rosenfeld & Pfaltz 1968].
+void spreadInLayer(std::uint8_t* layer, Index2 count) {
+    const auto row = [&](int j) { return layer + std::ptrdiff_t(j) * count.x; };
+    spreadAlongRow(layer, count.x);
+    for (int j = 1; j < count.y; ++j) spreadToRow(row(j), row(j - 1), count.x);
+    for (int j = count.y - 2; j >= 0; --j) spreadToRow(row(j), row(j + 1), count.x);
+}
+
+/// The same row of every layer, `stride` apart.
+struct Rows {
     std::uint8_t* first;
     std::size_t stride;
     int count, width;
 
-    std::uint8_t* line(int n) const { return first + std::size_t(n) * stride; }
+    std::uint8_t* row(int n) const { return first + std::size_t(n) * stride; }
 };
 
 /// distance(n) = min over r of max(r, before(n ± r)).
-void spreadAcross(const Lines& lines, int farthest, std::vector<std::uint8_t>& before) {
-    const auto width = std::size_t(lines.width);
-    before.resize(std::size_t(lines.count) * width);
-    for (int n = 0; n < lines.count; ++n)
-        std::copy_n(lines.line(n), width, before.begin() + std::ptrdiff_t(n) * lines.width);
-    for (int n = 0; n < lines.count; ++n) {
-        std::uint8_t* line = lines.line(n);
-        for (int r = 1; r < farthest; ++r)
+void spreadAcross(const Rows& rows, std::vector<std::uint8_t>& before) {
+    const int width = rows.width;
+    before.resize(std::size_t(rows.count) * std::size_t(width));
+    for (int n = 0; n < rows.count; ++n) std::copy_n(rows.row(n), width, before.begin() + std::ptrdiff_t(n) * width);
+    for (int n = 0; n < rows.count; ++n) {
+        std::uint8_t* row = rows.row(n);
+        // Rows as far away as the largest distance make nothing nearer.
+        const auto largest = [&] {
+            std::uint8_t most = 0;
+            for (int i = 0; i < width; ++i) most = std::max(most, row[i]);
+            return int(most);
+        };
+        for (int r = 1; r < std::min(largest(), rows.count); ++r)
             for (const int from : {n - r, n + r}) {
-                if (from < 0 || from >= lines.count) continue;
-                const std::uint8_t* other = before.data() + std::size_t(from) * width;
+                if (from < 0 || from >= rows.count) continue;
+                const std::uint8_t* other = before.data() + std::ptrdiff_t(from) * width;
                 const auto least = std::uint8_t(r);
-                for (std::size_t i = 0; i < width; ++i) line[i] = std::min(line[i], std::max(other[i], least));
+                for (int i = 0; i < width; ++i) row[i] = std::min(row[i], std::max(other[i], least));
             }
     }
 }
 
-}  // namespace
-
-void spreadDistances(Index3 count, int farthest, std::span<std::uint8_t> cells) {
-    assert(farthest <= 254);
-    const std::size_t row = std::size_t(count.x), slice = row * std::size_t(count.y);
+/// Lowers each value to what its neighbours' plus one allow, along all axes and diagonals.
+void spreadDistances(Index3 count, std::vector<std::uint8_t>& cells) {
+    const std::size_t row = std::size_t(count.x), layer = row * std::size_t(count.y);
     parallelFor(std::size_t(count.z), 1, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint8_t> before;
-        for (std::size_t k = begin; k < end; ++k) {
-            std::uint8_t* layer = cells.data() + k * slice;
-            for (int j = 0; j < count.y; ++j) spreadAlongRow(layer + std::size_t(j) * row, count.x);
-            spreadAcross({layer, row, count.y, count.x}, farthest, before);
-        }
+        for (std::size_t k = begin; k < end; ++k) spreadInLayer(cells.data() + k * layer, count);
     });
     parallelFor(std::size_t(count.y), 1, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint8_t> before;
         for (std::size_t j = begin; j < end; ++j)
-            spreadAcross({cells.data() + j * row, slice, count.z, count.x}, farthest, before);
+            spreadAcross({cells.data() + j * row, layer, count.z, count.x}, before);
     });
 }
+
+}  // namespace
 
 BrickSet::BrickSet(Index3 count, std::vector<std::uint8_t> member) : count_(count), member_(std::move(member)) {
     assert(member_.size() == indexOf({0, 0, count.z}));
@@ -111,10 +128,11 @@ bool BrickSet::any(Index3 first, Index3 end) const {
 }
 
 std::vector<std::uint8_t> BrickSet::distances(int farthest) const {
+    assert(farthest <= 254);
     std::vector<std::uint8_t> cells(member_.size());
     std::transform(member_.begin(), member_.end(), cells.begin(),
                    [&](std::uint8_t m) { return m ? std::uint8_t(0) : std::uint8_t(farthest); });
-    spreadDistances(count_, farthest, cells);
+    spreadDistances(count_, cells);
     return cells;
 }
 

@@ -2,7 +2,6 @@
 // A set of the cells of a regular grid: whether a box meets it, and how far it is.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/base/types.h"
@@ -29,7 +28,7 @@ public:
     bool any(Index3 first, Index3 end) const;
 
     /// For each cell the Chebyshev distance to the nearest one of the set: 0 in it; all cells nearer than that are not
-    /// in it. At most `farthest` (≤ 255).
+    /// in it. At most `farthest` (≤ 254). In parallel.
     std::vector<std::uint8_t> distances(int farthest) const;
 
 private:
@@ -44,9 +43,5 @@ private:
     std::vector<std::uint8_t> member_;
     std::vector<int> sums_;  // (count + 1)³: members before
 };
-
-/// Lowers each value to what its neighbours' plus one allow, along all axes and diagonals (Chebyshev), in parallel:
-/// turns 0 within a set and `farthest` elsewhere into distances. `cells` holds count.x · y · z of them, i fastest.
-void spreadDistances(Index3 count, int farthest, std::span<std::uint8_t> cells);
 
 }  // namespace voledit

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/base/parallel.h"
+#include "core/eval/baked_cells.h"
 #include "core/stf/lattice.h"
 
 namespace voledit {
@@ -32,7 +33,7 @@ BakedCells cellsOf(const LatticeMap& map) {
 
 TEST(BakedMap, NodesAreExactWhereTheMapIsDefined) {
     const LatticeMap map = bent(1);
-    const BakedMap baked = bake(cellsOf(map), bakeGrid(map.cells()->bounds(), 40));
+    const BakedMap baked = CellBaker(cellsOf(map), bakeGrid(map.cells()->bounds(), 40)).bake();
     int within = 0;
     for (int k = 0; k < baked.grid.nodes.z; ++k)
         for (int j = 0; j < baked.grid.nodes.y; ++j)
@@ -56,7 +57,7 @@ TEST(BakedMap, AnAffineMapIsExactUpToItsFacesAndBeyond) {
     const Mat3 shear(Vec3(1, 0.2, 0), Vec3(0, 1.1, 0.1), Vec3(-0.15, 0, 0.9));
     for (Vec3& c : lattice.control) c = shear * c;
     const LatticeMap map(lattice, Index3(4), Outside::Hide);
-    const BakedMap baked = bake(cellsOf(map), bakeGrid(map.cells()->bounds(), 32));
+    const BakedMap baked = CellBaker(cellsOf(map), bakeGrid(map.cells()->bounds(), 32)).bake();
     std::mt19937 random(2);
     // Half a cell beyond the faces, edges and corners too.
     std::uniform_real_distribution<double> coordinate(-1 - 0.5 * baked.grid.cell, 1 + 0.5 * baked.grid.cell);
@@ -76,13 +77,14 @@ TEST(BakedMap, ErrorsFallAsNodesGetCloserAndBoundWhatIsSeen) {
     double before = kInfinity;
     for (const int most : {20, 40, 80}) {
         const BakeGrid grid = bakeGrid(map.cells()->bounds(), most);
-        const BakedMap baked = bake(cellsOf(map), grid);
+        const CellBaker baker(cellsOf(map), grid);
+        const BakedMap baked = baker.bake();
         const Index3 count = grid.nodes - 1;
         const std::vector<std::uint8_t> all(std::size_t(count.x) * std::size_t(count.y) * std::size_t(count.z), 1);
-        const double error = bakeError(baked, cellsOf(map), all);
+        const double error = baked.error(baker.centres(all));
         EXPECT_LT(error, 0.75 * before);
         before = error;
-        EXPECT_EQ(bakeError(baked, cellsOf(map), std::vector<std::uint8_t>(all.size(), 0)), 0);
+        EXPECT_EQ(baked.error(baker.centres(std::vector<std::uint8_t>(all.size(), 0))), 0);
         std::mt19937 random(4);
         std::uniform_real_distribution<double> coordinate(-1, 1);
         for (int n = 0; n < 5000; ++n) {
@@ -101,7 +103,7 @@ TEST(BakedMap, UnwantedTetrahedraStayUnknown) {
     const LatticeMap map = bent(0);
     BakedCells cells = cellsOf(map);
     cells.wanted = [](const Box3& box) { return box.min.x < 20; };
-    const BakedMap baked = bake(cells, bakeGrid(map.cells()->bounds(), 40));
+    const BakedMap baked = CellBaker(cells, bakeGrid(map.cells()->bounds(), 40)).bake();
     Vec3 place;
     EXPECT_TRUE(baked.at({-0.8, 0.1, 0.2}, place));
     EXPECT_FALSE(baked.at({0.9, 0.1, 0.2}, place));
@@ -128,17 +130,17 @@ TEST(BakedMap, AnyMapIsBakedAndItsGapsAreTold) {
     std::vector<std::uint8_t> all(right.size(), 1);
     for (std::size_t n = 0; n < right.size(); ++n)
         right[n] = map.grid.origin.x + map.grid.cell * int(n % std::size_t(count.x)) > 0.3;
-    EXPECT_LT(bakeError(map, torn, right), 1e-5);
-    EXPECT_LT(bakeError(map, torn, right, 0.05), 1e-5);
-    EXPECT_EQ(bakeError(map, torn, all), kInfinity);
+    EXPECT_LT(map.error(bakedCentres(map, torn, right)), 1e-5);
+    EXPECT_LT(map.error(bakedCentres(map, torn, right), 0.05 / map.grid.cell), 1e-5);
+    EXPECT_EQ(map.error(bakedCentres(map, torn, all)), kInfinity);
 }
 
 TEST(BakedMap, ThreadsChangeNothing) {
     const LatticeMap map = bent(1);
     const BakeGrid grid = bakeGrid(map.cells()->bounds(), 40);
-    const BakedMap many = bake(cellsOf(map), grid);
+    const BakedMap many = CellBaker(cellsOf(map), grid).bake();
     setThreadCount(1);
-    const BakedMap one = bake(cellsOf(map), grid);
+    const BakedMap one = CellBaker(cellsOf(map), grid).bake();
     setThreadCount(0);
     EXPECT_EQ(many.node, one.node);
 }
