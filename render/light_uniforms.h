@@ -11,7 +11,7 @@ namespace voledit {
 
 void setLights(Program& program, const RenderSettings& settings, const Lights& lights);
 
-/// The opacity around, on the GPU; uploaded only when it is another one.
+/// What surroundings look up, on the GPU; uploaded only when it is another one.
 class SurroundingsTexture {
 public:
     /// Throws Error where the GPU's memory is too small.
@@ -21,9 +21,13 @@ public:
     void bind() const;
 
 private:
+    void uploadGrid(const OpacityGrid& grid);
+
     std::shared_ptr<const OpacityGrid> grid_;
-    float radius_ = 1;
-    Texture alpha_, clearance_;
+    std::shared_ptr<const Openness> openness_;
+    std::shared_ptr<const ShadowVolume> shadows_;
+    Vec3f towardFirst_{0};
+    Texture alpha_, clearance_, open_, left_;
 };
 
 }  // namespace voledit

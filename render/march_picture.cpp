@@ -32,10 +32,14 @@ MarchPicture::MarchPicture(SliceWorkshop& workshop, const CompiledScene& scene, 
         std::size_t(cells.count().x) * std::size_t(cells.count().y) * std::size_t(cells.count().z) - cells.size();
     findPlaces();
     layOut();
-    program_ = &workshop.shaders.get(marchVariant({.baked = workshop.march.grid() != nullptr,
-                                                   .shaded = scene.render.shading,
-                                                   .realVoxels = isReal(plan_.volume->volume->type()),
-                                                   .steps = workshop.march.stepsOfBlock()}));
+    const Surroundings surroundings(scene);
+    surrounded_ = !surroundings.none();
+    if (surrounded_) workshop.surroundings.prepare(surroundings);
+    const ProgramVariant variant = marchVariant({.baked = workshop.march.grid() != nullptr,
+                                                 .shaded = scene.render.shading,
+                                                 .realVoxels = isReal(plan_.volume->volume->type()),
+                                                 .steps = workshop.march.stepsOfBlock()});
+    program_ = &workshop.shaders.get(surrounded_ ? withSurroundings(variant) : variant);
     setVolumeUniforms();
     setUniforms(scene);
     statistics_.programsCompiled = workshop.shaders.compiled();
@@ -146,6 +150,7 @@ void MarchPicture::setUniforms(const CompiledScene& scene) {
     p.set("cellsMin", Vec3f(plan_.clip.min));
     p.set("cellsMax", Vec3f(plan_.clip.max));
     setLights(p, scene.render, lightsOf(scene.render, scene.camera));
+    if (surrounded_) workshop_.surroundings.setUniforms(p, scene.render, view_, referenceDepth_);
 }
 
 void MarchPicture::draw(int count) {
@@ -154,6 +159,7 @@ void MarchPicture::draw(int count) {
     glDisable(GL_BLEND);
     workshop_.resources.bindVolume();
     workshop_.march.bind();
+    if (surrounded_) workshop_.surroundings.bind();
     while (next_ < end) {
         const Index2 first(next_ % columns_, next_ / columns_);
         const int left = end - next_;

@@ -38,6 +38,7 @@ private:
     Box3 box_;      // where there are places
     Box3 visible_;  // those that can be seen lie in it
     Program* program_ = nullptr;
+    bool surrounded_ = false;                // shadows or occlusion
     std::array<int, 4> window_{};            // pixels that may show something
     int columns_ = 0, rows_ = 0, next_ = 0;  // tiles
     SliceStatistics statistics_;

@@ -62,8 +62,6 @@ std::optional<MarchPlan> planWhole(const TermPtr& root) {
 }  // namespace
 
 std::optional<MarchPlan> planMarch(const CompiledScene& scene) {
-    // Shadows and occlusion are taken slice by slice.
-    if (scene.render.shadows > 0 || scene.render.occlusion > 0) return std::nullopt;
     if (const auto single = planSingle(scene.root)) return single;
     return planWhole(scene.root);
 }

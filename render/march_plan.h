@@ -22,8 +22,7 @@ struct MarchPlan {
     Box3 clip;                              // index coordinates outside of which nothing is seen
 };
 
-/// Nullopt where slices have to do it: for other terms, opacity by steepness, interpolation that is not linear, and
-/// light that is taken slice by slice.
+/// Nullopt where slices have to do it: for other terms, opacity by steepness, and interpolation that is not linear.
 std::optional<MarchPlan> planMarch(const CompiledScene& scene);
 
 /// index[n] = the plan's index coordinates of world point p[n] through its chain; kUndefined where there are none.

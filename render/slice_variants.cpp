@@ -78,8 +78,6 @@ std::vector<ProgramVariant> allPrograms() {
             for (const int pass : {0, 1})
                 for (const bool cover : {false, true}) programs.push_back(foldVariant(variant, combine, pass, cover));
     }
-    const std::size_t plain = programs.size();
-    for (std::size_t n = 0; n < plain; ++n) programs.push_back(withSurroundings(programs[n]));
     for (const bool shaded : {false, true})
         for (const bool realVoxels : {false, true}) {
             programs.push_back(marchVariant({.shaded = shaded, .realVoxels = realVoxels}));
@@ -87,6 +85,8 @@ std::vector<ProgramVariant> allPrograms() {
                 programs.push_back(
                     marchVariant({.baked = true, .shaded = shaded, .realVoxels = realVoxels, .steps = steps}));
         }
+    const std::size_t plain = programs.size();
+    for (std::size_t n = 0; n < plain; ++n) programs.push_back(withSurroundings(programs[n]));
     std::sort(programs.begin(), programs.end());
     programs.erase(std::unique(programs.begin(), programs.end()), programs.end());
     return programs;

@@ -7,12 +7,14 @@
 // it or are through.
 //   variants  STEPS=n      values taken for a block: as many steps, one less at its first
 //             SHADED       Blinn-Phong by the gradient, where a stretch is seen
+//             SURROUNDINGS with shadows and occlusion
 //             REAL_VOXELS  the volume holds floats, which may be NaN: nothing is seen there
 //             BAKED        the volume lies under a map, known at the nodes of a grid (core/eval/baked_map.h)
 //   places    index coordinates of the volume; BAKED: coordinates of that grid
 //   out       color        premultiplied by alpha, as composited
 #include "common/volume.glsl"
 #include "common/lighting.glsl"
+#include "common/surroundings.glsl"
 #include "common/cut_normal.glsl"
 #include "common/volume_cut.glsl"
 #include "march/table.glsl"
@@ -107,7 +109,8 @@ void composite(Ray ray, Block block, float begin, Stretch stretch, inout vec3 se
     placeEntered = index;
     placePerDepthEntered = jacobian * ray.direction;
     vec3 gradient = withCut(faceBefore(index, 0.0, jacobian, ray.direction), rawDifferencesAt(index) * jacobian);
-    vec2 light = reflected(gradient, ray.direction, vec2(1.0));
+    vec2 share = lightShareAt(ray.depth + (begin - blockBegin(begin) + place) * ray.depthPerStep, ray.direction);
+    vec2 light = reflected(gradient, ray.direction, share);
     what.rgb = what.rgb * light.x + light.y;
 #endif
     if (depth > 0.0) {

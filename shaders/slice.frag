@@ -14,6 +14,7 @@
 #include "common/classification.glsl"
 #include "common/lighting.glsl"
 #include "common/surroundings.glsl"
+#include "common/slice_surroundings.glsl"
 #include "common/cut_normal.glsl"
 #include "common/volume_cut.glsl"
 #ifdef LOCATED

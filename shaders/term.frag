@@ -10,6 +10,7 @@
 #include "common/slice_input.glsl"
 #include "common/lighting.glsl"
 #include "common/surroundings.glsl"
+#include "common/slice_surroundings.glsl"
 #include "common/cut_normal.glsl"
 #include "common/formula.glsl"
 #include "term/numbers.glsl"

@@ -126,7 +126,7 @@ private:
         const ObjectSample& s = values_[n];
         const Vec3 gradient = cut_ ? cuts_.blended(*cut_, points_[n], depths_[n], s.normalGradient) : s.normalGradient;
         if (!surroundings_.none() && gradient != Vec3(0) && (!share_ || weight > kSlight))
-            share_ = surroundings_.at(points_[n], lights_.towardFirst(toEye_));
+            share_ = surroundings_.at(points_[n], toEye_);
         return litColor(scene_.render, lights_, s.color, gradient, toEye_, share_.value_or(LightShare()));
     }
 

@@ -1,19 +1,18 @@
 #pragma once
 // What stands around a point takes of its light: shadows of the first light, and occlusion of the light from
-// everywhere; by marching through the opacity of the whole deformed scene (core/objects/opacity_grid).
+// everywhere; by what light finds in the opacity of the whole deformed scene (core/objects/opacity_grid).
 
-#include <array>
 #include <memory>
-#include <optional>
 
 #include "core/objects/opacity_grid.h"
+#include "core/objects/openness.h"
+#include "core/objects/shadow_volume.h"
 #include "core/scene/compile.h"
 #include "core/scene/lighting.h"
 
 namespace voledit {
 
-/// How light is followed through an OpacityGrid; lengths in spacings of it. shaders/common/surroundings.glsl is its
-/// twin.
+/// How light is looked for in an OpacityGrid; lengths in spacings of it. shaders/common/surroundings.glsl is its twin.
 namespace light_march {
 
 /// A surface must not shade itself: light is looked for from so far outside of it.
@@ -22,22 +21,6 @@ inline constexpr float kLift = 1.5F;
 inline constexpr float kStart = 1;
 /// Light below this share is none.
 inline constexpr float kDark = 1 / 256.0F;
-
-/// Directions from a point, each with its opposite: the corners of an icosahedron and of a dodecahedron.
-inline constexpr int kDirections = 32;
-const std::array<Vec3f, kDirections>& directions();
-/// Directions flatter over a surface than this cosine do not count: what is wide would meet the surface itself.
-inline constexpr float kFlattest = 0.3F;
-
-/// A stretch of the way in one direction.
-struct Stretch {
-    float middle, length;
-    int level;     // of the grid's means
-    float counts;  // what stands here, less with distance
-};
-inline constexpr int kStretches = 5;
-/// Stretches up to `radius`.
-std::array<Stretch, kStretches> stretchesTo(float radius);
 
 }  // namespace light_march
 
@@ -49,23 +32,27 @@ public:
 
     /// True where nothing takes any light.
     bool none() const { return !grid_; }
-    /// What is left at world point p of light from `towardFirst` (unit) and from everywhere.
-    LightShare at(const Vec3& p, const Vec3& towardFirst) const;
+    /// What is left at world point p, seen along −toEye (unit), of the first light and of that from everywhere.
+    LightShare at(const Vec3& p, const Vec3& toEye) const;
 
     const std::shared_ptr<const OpacityGrid>& grid() const { return grid_; }
-    /// How far surroundings occlude, in spacings of the grid.
-    float radius() const { return radius_; }
+    /// Null where there is no occlusion.
+    const std::shared_ptr<const Openness>& openness() const { return openness_; }
+    /// Null where there are no shadows, or where the light comes from the eye.
+    const std::shared_ptr<const ShadowVolume>& shadows() const { return shadowVolume_; }
 
-    /// Outwards from what is opaque around a grid point: longer, up to 1, the clearer there is a side.
-    static Vec3f outward(const OpacityGrid& grid, const Vec3f& at);
-    /// What comes through of light from direction `toward` (unit) at a grid point.
+    /// Where the light comes from that shadows() are of (unit, world space).
+    const Vec3f& towardFirst() const { return towardFirst_; }
+
+    /// What comes through of light from direction `toward` (unit) at a grid point, by marching.
     static float through(const OpacityGrid& grid, const Vec3f& at, const Vec3f& toward);
-    /// How open surroundings up to `radius` are, for a surface that faces `outward`.
-    static float openness(const OpacityGrid& grid, const Vec3f& at, const Vec3f& outward, float radius);
 
 private:
     std::shared_ptr<const OpacityGrid> grid_;
-    float shadows_ = 0, occlusion_ = 0, radius_ = 0;
+    std::shared_ptr<const Openness> openness_;
+    std::shared_ptr<const ShadowVolume> shadowVolume_;
+    Vec3f towardFirst_{0};
+    float shadows_ = 0, occlusion_ = 0;
 };
 
 /// The spacing at which a scene's surroundings are known, world units: the source's, coarser where steps are.

@@ -7,8 +7,30 @@
 
 #include "core/objects/empty_space.h"
 #include "core/objects/opacity_grid.h"
+#include "core/objects/openness.h"
+#include "core/objects/shadow_volume.h"
 
 namespace voledit {
+
+/// The last thing made for one key after another. Safe from many threads.
+template <class Made, class Key>
+class LastMade {
+public:
+    template <class Make>
+    std::shared_ptr<const Made> get(const Key& key, const Make& make) {
+        const std::lock_guard lock(lock_);
+        if (!made_ || key_ != key) {
+            made_ = make();
+            key_ = key;
+        }
+        return made_;
+    }
+
+private:
+    std::mutex lock_;
+    std::shared_ptr<const Made> made_;
+    Key key_{};
+};
 
 /// Kept with each term, so that it lives as long and is found again wherever the term is shared. Safe from many
 /// threads.
@@ -22,23 +44,28 @@ public:
         std::call_once(spaceOnce_, [&] { space_ = std::make_unique<const EmptySpace>(term); });
         return *space_;
     }
-    /// The last one that was asked for is kept.
     std::shared_ptr<const OpacityGrid> opacityGrid(const Term& term, double spacing, double opacityDistance) const {
-        const std::lock_guard lock(gridLock_);
-        if (!grid_ || gridFor_ != std::pair(spacing, opacityDistance)) {
-            grid_ = std::make_shared<const OpacityGrid>(term, spacing, opacityDistance);
-            gridFor_ = {spacing, opacityDistance};
-        }
-        return grid_;
+        return grid_.get({spacing, opacityDistance},
+                         [&] { return std::make_shared<const OpacityGrid>(term, spacing, opacityDistance); });
+    }
+    /// Of a grid of this term's.
+    std::shared_ptr<const Openness> openness(const std::shared_ptr<const OpacityGrid>& grid, float radius) const {
+        return openness_.get({grid, radius}, [&] { return std::make_shared<const Openness>(*grid, radius); });
+    }
+    std::shared_ptr<const ShadowVolume> shadows(const std::shared_ptr<const OpacityGrid>& grid,
+                                                const Vec3f& toward) const {
+        return shadows_.get({grid, toward}, [&] { return std::make_shared<const ShadowVolume>(*grid, toward); });
     }
 
 private:
+    using GridPtr = std::shared_ptr<const OpacityGrid>;
+
     mutable std::once_flag bricksOnce_, spaceOnce_;
     mutable std::unique_ptr<const VisibleBricks> bricks_;
     mutable std::unique_ptr<const EmptySpace> space_;
-    mutable std::mutex gridLock_;
-    mutable std::shared_ptr<const OpacityGrid> grid_;
-    mutable std::pair<double, double> gridFor_;
+    mutable LastMade<OpacityGrid, std::pair<double, double>> grid_;
+    mutable LastMade<Openness, std::pair<GridPtr, float>> openness_;
+    mutable LastMade<ShadowVolume, std::pair<GridPtr, Vec3f>> shadows_;
 };
 
 }  // namespace voledit

@@ -488,9 +488,7 @@ private:
             shared_ |= 1U << l;
             const Vec3 toEye(packet_.toEye[0][l], packet_.toEye[1][l], packet_.toEye[2][l]);
             const Vec3 p = light.eye - (double(packet_.distance[l]) + double(at[l]) * light.step) * toEye;
-            const auto& first = light.lights[0].toward;
-            const Vec3 toward = light.kind == Lights::Kind::Head ? toEye : Vec3(first[0], first[1], first[2]);
-            const LightShare share = light.surroundings->at(p, toward);
+            const LightShare share = light.surroundings->at(p, toEye);
             share_[0][l] = static_cast<float>(share.first);
             share_[1][l] = static_cast<float>(share.ambient);
         });

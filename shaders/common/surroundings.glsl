@@ -1,23 +1,24 @@
-// common/surroundings.glsl: what stands around a point takes of its light, by marching through a grid of the scene's
-// opacity; the twin of core/eval/surroundings. "Grid" coordinates count cells.
+// common/surroundings.glsl: what stands around a point takes of its light, looked up in grids over the whole scene; the twin
+// of core/eval/surroundings. "Grid" coordinates count cells of its opacity.
 // Without SURROUNDINGS nothing takes any.
-// Needs common/slice_input.glsl and common/lighting.glsl.
+// Needs common/lighting.glsl.
 
 #ifdef SURROUNDINGS
 uniform sampler3D gridAlpha;  // alpha of one cell's length; levels hold means
 uniform usampler3D gridClearance;  // of bricks of 4³ cells: 0, or how many bricks around are clear
-uniform vec3 gridSize;        // cells
+uniform sampler3D gridOpenness;    // openness times weight, and weight, at every second cell's corner
+uniform sampler3D lightLeft;       // of the first light, where it comes from afar: by its rays
+uniform vec3 gridSize;             // cells
+uniform vec3 opennessTexel;        // texture coordinates of gridOpenness for a cell
+uniform mat4 lightFromGrid;        // texture coordinates of lightLeft, of where light for a place is looked up
 uniform mat3 gridAtReference;  // grid coordinates at the reference depth by the window position: [0] + x [1] + y [2]
 uniform mat3 gridPerDepth;    // their change per unit of depth
 uniform float shadowStrength;
 uniform float occlusionStrength;
-uniform vec3 occlusionDirections[32];
-uniform vec4 occlusionStretches[5];  // middle, length, level, how much counts
 
 const float kLift = 1.5;
 const float kStart = 1.0;
 const float kDark = 1.0 / 256.0;
-const float kFlattest = 0.3;
 
 float gridAlphaAt(vec3 at, float level) {
     return textureLod(gridAlpha, at / gridSize, level).r;
@@ -55,43 +56,26 @@ float lightThrough(vec3 at, vec3 toward) {
     return left > kDark ? left : 0.0;
 }
 
-float opennessAt(vec3 at, vec3 outward) {
-    float clear = length(outward);
-    float open = 0.0;
-    float weights = 0.0;
-    for (int d = 0; d < 32; ++d) {
-        float weight = dot(occlusionDirections[d], outward) - kFlattest * clear + (1.0 - clear);
-        if (!(weight > 0.0)) continue;
-        float left = 1.0;
-        float taken = 0.0;
-        for (int n = 0; n < 5; ++n) {
-            vec4 stretch = occlusionStretches[n];
-            float alpha = gridAlphaAt(at + stretch.x * occlusionDirections[d], stretch.z);
-            float next = left * pow(1.0 - alpha, stretch.y);
-            taken += (left - next) * stretch.w;
-            left = next;
-        }
-        open += weight * (1.0 - taken);
-        weights += weight;
-    }
-    return weights > 0.0 ? open / weights : 1.0;
+float opennessAt(vec3 at) {
+    vec2 open = textureLod(gridOpenness, at * opennessTexel, 0.0).rg;
+    return open.y > 0.0 ? open.x / open.y : 1.0;
+}
+
+float firstLightAt(vec3 at, vec3 toEye) {
+    if (lightKind == 0) return lightThrough(at, toEye);
+    return textureLod(lightLeft, (lightFromGrid * vec4(at, 1.0)).xyz, 0.0).r;
 }
 #endif
 
-// What is left of the first light (x) and of the light from everywhere (y), at a depth from the slice, for a share
-// `alpha` of what is seen.
-vec2 lightShare(float depth, float alpha, vec3 ray) {
+// What is left of the first light (x) and of the light from everywhere (y), at a depth from the reference.
+vec2 lightShareAt(float depth, vec3 ray) {
     vec2 share = vec2(1.0);
 #ifdef SURROUNDINGS
-    if (alpha > 1e-4) {
-        vec3 window = vec3(1.0, gl_FragCoord.xy);
-        vec3 here = gridAtReference * window + (sliceDepth + depth) * (gridPerDepth * window);
-        vec3 outward = outwardAt(here);
-        vec3 lifted = here + kLift * outward;
-        if (shadowStrength > 0.0)
-            share.x -= shadowStrength * (1.0 - lightThrough(lifted, towardFirst(-normalize(ray))));
-        if (occlusionStrength > 0.0) share.y -= occlusionStrength * (1.0 - opennessAt(lifted, outward));
-    }
+    vec3 window = vec3(1.0, gl_FragCoord.xy);
+    vec3 here = gridAtReference * window + depth * (gridPerDepth * window);
+    vec3 lifted = here + kLift * outwardAt(here);
+    if (shadowStrength > 0.0) share.x -= shadowStrength * (1.0 - firstLightAt(lifted, -normalize(ray)));
+    if (occlusionStrength > 0.0) share.y -= occlusionStrength * (1.0 - opennessAt(lifted));
 #endif
     return share;
 }

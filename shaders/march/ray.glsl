@@ -24,6 +24,8 @@ struct Ray {
     float last;      // … and where that ends
     float end;       // where the ray leaves the box
     float unit;      // opacity distances a step
+    float depth;     // at u = 0, from the reference
+    float depthPerStep;
 };
 
 // Where start + t * perUnit is within a box: from x to y.
@@ -62,6 +64,8 @@ Ray viewRay(vec2 window) {
     ray.last = min((visible.y - box.x) / stepDepth, ray.end);
     if (!(visible.x < visible.y)) ray.last = ray.first;
     ray.unit = stepLength / opacityDistance;
+    ray.depth = box.x;
+    ray.depthPerStep = stepDepth;
     return ray;
 }
 

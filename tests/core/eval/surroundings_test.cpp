@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "core/eval/ray_caster.h"
 #include "tests/support/scenes.h"
@@ -15,14 +16,15 @@ using namespace test;
 
 constexpr double kSpacing = 2 / 96.0;
 
-/// A scene whose unit step is `kSpacing`, with all of its shadows and occlusion.
-CompiledScene shadowed(const TermPtr& term) {
+/// A scene whose unit step is `kSpacing`, with all of its shadows and occlusion; lit from the eye, or from afar.
+CompiledScene shadowed(const TermPtr& term, std::optional<Vec3> light = std::nullopt) {
     CompiledScene scene = sceneOf(term, {Vec3(0, -6, 0), Vec3(0), Vec3(0, 0, 1), 30}, 0.5);
     scene.unitStep = kSpacing;
     scene.opacityDistance = kSpacing;
     scene.render.shading = true;
     scene.render.shadows = 1;
     scene.render.occlusion = 1;
+    scene.render.light = light;
     return scene;
 }
 
@@ -46,19 +48,23 @@ double throughTerm(const CompiledScene& scene, const Vec3& from, const Vec3& tow
 }
 
 TEST(Surroundings, AFlatSurfaceLosesNothingWhicheverWayItFaces) {
-    for (const Vec3f& direction : light_march::directions()) {
+    for (const Vec3f& direction : opennessDirections()) {
         const Vec3 normal = glm::normalize(Vec3(direction) + Vec3(0.11, -0.07, 0.05));
-        const CompiledScene scene = shadowed(halfSpace(normal));
-        const Surroundings around(scene);
+        const TermPtr term = halfSpace(normal);
+        const Surroundings fromEye(shadowed(term));
         const Vec3 along = glm::normalize(glm::cross(normal, Vec3(0.3, 0.5, 0.8)));
-        for (int n = 0; n < 20; ++n) {
-            // At the depth that is seen, anywhere along the surface, lit from as flat as 17°.
-            const Vec3 p = 0.031 * n * along - 0.03 * n * glm::cross(along, normal) + 0.4 * kSpacing * normal;
-            for (const double height : {0.3, 0.7, 1.0}) {
-                const Vec3 toward = height * normal + std::sqrt(1 - height * height) * along;
-                const LightShare share = around.at(p, toward);
-                EXPECT_GT(share.first, 0.98) << height;
-                EXPECT_GT(share.ambient, 0.98);
+        for (const double height : {0.3, 0.7, 1.0}) {
+            // Lit from as flat as 17°.
+            const Vec3 toward = height * normal + std::sqrt(1 - height * height) * along;
+            const Surroundings fromAfar(shadowed(term, toward));
+            for (int n = 0; n < 20; ++n) {
+                // At the depth that is seen, anywhere along the surface.
+                const Vec3 p = 0.031 * n * along - 0.03 * n * glm::cross(along, normal) + 0.4 * kSpacing * normal;
+                for (const Surroundings* around : {&fromEye, &fromAfar}) {
+                    const LightShare share = around->at(p, toward);
+                    EXPECT_GT(share.first, 0.98) << height;
+                    EXPECT_GT(share.ambient, 0.98);
+                }
             }
         }
     }
@@ -70,26 +76,30 @@ TEST(Surroundings, ShadowsAreThoseOfRaysThroughTheTermItself) {
         CvgOperator::Union, {solid(SphereShape{Vec3(-0.4, 0, 0), 0.3}, Vec3(1), "0.9"),
                              solid(BoxShape{Vec3(0.2, -0.5, 0), Vec3(0.8, 0.5, 4 * kSpacing)}, Vec3(1), "0.16"),
                              solid(BoxShape{Vec3(-1, -1, -1), Vec3(1, 1, -0.8)}, Vec3(1), "0.9")});
-    const CompiledScene scene = shadowed(things);
-    const Surroundings around(scene);
     const Vec3 toward = glm::normalize(Vec3(0.2, 0.1, 1));
-    double worst = 0, sum = 0;
-    int count = 0;
-    for (double x = -0.9; x < 0.9; x += 0.013)
-        for (double y = -0.9; y < 0.9; y += 0.17) {
-            const Vec3 p(x, y, -0.8 + 1e-3);
-            const double exact = throughTerm(scene, p + 2.5 * kSpacing * Vec3(0, 0, 1), toward);
-            const double error = std::abs(around.at(p, toward).first - exact);
-            // A shadow's edge may lie half a spacing aside.
-            const Vec3 aside(kSpacing, 0, 0);
-            const bool edge = std::abs(throughTerm(scene, p + 2.5 * kSpacing * Vec3(0, 0, 1) + aside, toward) -
-                                       throughTerm(scene, p + 2.5 * kSpacing * Vec3(0, 0, 1) - aside, toward)) > 0.02;
-            if (!edge) worst = std::max(worst, error);
-            sum += error;
-            ++count;
-        }
-    EXPECT_LT(worst, 0.06);
-    EXPECT_LT(sum / count, 0.02);
+    for (const bool afar : {false, true}) {
+        const CompiledScene scene = shadowed(things, afar ? std::optional(toward) : std::nullopt);
+        const Surroundings around(scene);
+        double worst = 0, sum = 0;
+        int count = 0;
+        for (double x = -0.9; x < 0.9; x += 0.013)
+            for (double y = -0.9; y < 0.9; y += 0.17) {
+                const Vec3 p(x, y, -0.8 + 1e-3);
+                const Vec3 seen = p + 2.5 * kSpacing * Vec3(0, 0, 1);
+                const double exact = throughTerm(scene, seen, toward);
+                const double error = std::abs(around.at(p, toward).first - exact);
+                // A shadow's edge may lie half a spacing aside; light from afar is known from spacing to spacing.
+                bool edge = false;
+                for (const Vec3& aside : afar ? std::vector{Vec3(2, 0, 0), Vec3(0, 2, 0)} : std::vector{Vec3(1, 0, 0)})
+                    edge = edge || std::abs(throughTerm(scene, seen + kSpacing * aside, toward) -
+                                            throughTerm(scene, seen - kSpacing * aside, toward)) > 0.02;
+                if (!edge) worst = std::max(worst, error);
+                sum += error;
+                ++count;
+            }
+        EXPECT_LT(worst, 0.06) << afar;
+        EXPECT_LT(sum / count, 0.02) << afar;
+    }
 }
 
 TEST(Surroundings, ACornerIsDarkerThanAWallAndAnEdgeIsNot) {
