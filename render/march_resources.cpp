@@ -207,7 +207,7 @@ bool MarchResources::bakeFinely(const MarchPlan& plan, const BakeRequest& reques
     if (!(error <= kLargestError)) return false;
     // Blocks of rays are straight; the map is continued by two cells beyond its faces.
     baked_->steps = 1;
-    for (const int steps : {4, 2})
+    for (const int steps : {5, 4, 2})
         if (baked_->steps == 1 && steps * request.step <= kBakeBorder * grid.cell &&
             map.error(centres, steps * request.step / grid.cell) <= kLargestError)
             baked_->steps = steps;

@@ -81,7 +81,7 @@ std::vector<ProgramVariant> allPrograms() {
     for (const bool shaded : {false, true})
         for (const bool realVoxels : {false, true}) {
             programs.push_back(marchVariant({.shaded = shaded, .realVoxels = realVoxels}));
-            for (const int steps : {1, 2, 4})
+            for (const int steps : {1, 2, 4, 5})
                 programs.push_back(
                     marchVariant({.baked = true, .shaded = shaded, .realVoxels = realVoxels, .steps = steps}));
         }
