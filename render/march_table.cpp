@@ -3,36 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fields/extinction.h"
+
 namespace voledit {
 
 namespace {
 
 /// 64 KiB of depths: more would leave the processor's inner caches.
 constexpr int kMostBins = 4096;
-constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
-
-/// Where the table has something to tell: the data's values, but not far beyond the transfer function's corners, where
-/// nothing changes any more.
-Interval tabulated(const TransferFunction& look, const Interval& data) {
-    double first = kInfinity, last = -kInfinity;
-    const auto take = [&](double value) {
-        first = std::min(first, value);
-        last = std::max(last, value);
-    };
-    for (const Vec2& point : look.opacity.points) take(point.x);
-    for (const ColorTable::Point& point : look.color.points) take(point.value);
-    Interval range = data;
-    if (first <= last) {
-        // A little wider, so that a step at an end stays one.
-        const double beyond = std::max((last - first) / 256, 1e-6 * std::max(std::abs(first), std::abs(last)));
-        range = {std::clamp(first - beyond, data.low, data.high), std::clamp(last + beyond, data.low, data.high)};
-    }
-    if (!(range.low < range.high)) {
-        const double at = std::isfinite(range.low) ? range.low : std::isfinite(range.high) ? range.high : 0;
-        range = {at, at + std::max(1.0, 1e-6 * std::abs(at))};
-    }
-    return range;
-}
 
 void setBins(MarchTable& table, Interval range, bool whole) {
     // Whole values lie on bins, where the corners of most transfer functions lie, too.
@@ -58,15 +36,15 @@ bool MarchTable::mayAbsorb(const Interval& values) const {
 
 MarchTable makeMarchTable(const TransferFunction& look, const Interval& data, bool whole) {
     MarchTable table;
-    setBins(table, tabulated(look, data), whole);
+    // A little wider than the corners, so that a step at an end stays one.
+    setBins(table, tabulatedRange(look, data, 1.0 / 256, 1e-6), whole);
     std::vector<std::array<float, 4>> plain;
     double depth = 0, before = 0;
     Vec3 glow(0), glowBefore(0);
     table.absorbingBefore_.assign(1, 0);
     for (int n = 0; n < table.bins; ++n) {
         const double value = double(table.low) + n / double(table.scale);
-        const double opacity = std::clamp(look.opacity(value), 0.0, kLargestOpacity);
-        const double extinction = opacity > 0 ? -std::log1p(-opacity) : 0;
+        const double extinction = extinctionOf(look.opacity(value));
         const Vec3 color = look.color(value), shine = extinction * color;
         if (n > 0) {
             depth += 0.5 * (before + extinction);

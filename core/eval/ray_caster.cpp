@@ -10,16 +10,16 @@
 #include "core/base/parallel.h"
 #include "core/eval/cut_faces.h"
 #include "core/eval/surroundings.h"
+#include "core/fields/extinction.h"
 #include "core/objects/empty_space.h"
 
 namespace voledit {
 
 namespace {
 
-constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
-constexpr double kOpaque = 1e-5;            // transmittance below which the rest of a ray cannot be seen
-constexpr double kUnseen = 1e-5;            // share of a pixel for which no cut is looked for
-constexpr double kSlight = 1 / 512.0;       // share of a pixel for which light is not followed anew
+constexpr double kOpaque = 1e-5;       // transmittance below which the rest of a ray cannot be seen
+constexpr double kUnseen = 1e-5;       // share of a pixel for which no cut is looked for
+constexpr double kSlight = 1 / 512.0;  // share of a pixel for which light is not followed anew
 constexpr std::size_t kFirstBlock = 16, kLargestBlock = 256;  // samples of a ray evaluated together
 
 struct Ray {

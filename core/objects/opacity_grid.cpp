@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "core/base/parallel.h"
+#include "core/fields/extinction.h"
 #include "core/objects/term_bounds.h"
 #include "core/objects/term_cache.h"
 
@@ -14,8 +15,7 @@ namespace voledit {
 
 namespace {
 
-constexpr double kLargestOpacity = 0.9999;  // definitions.md §2
-constexpr int kBlockSide = 8;               // cells sampled together
+constexpr int kBlockSide = 8;  // cells sampled together
 
 std::size_t countOf(Index3 size) {
     return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);

@@ -3,41 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fields/extinction.h"
+
 namespace voledit {
 
 namespace {
 
 constexpr int kMostBins = 16383;
-constexpr double kLargestOpacity = 0.9999;  // keeps extinction finite (definitions.md §2)
-
-/// Where the table has something to tell: the data's values, but not far beyond the transfer function's corners, where
-/// nothing changes any more.
-Interval tabulated(const TransferFunction& look, const Interval& data) {
-    double first = kInfinity, last = -kInfinity;
-    for (const Vec2& point : look.opacity.points) {
-        first = std::min(first, point.x);
-        last = std::max(last, point.x);
-    }
-    for (const ColorTable::Point& point : look.color.points) {
-        first = std::min(first, point.value);
-        last = std::max(last, point.value);
-    }
-    Interval range = data;
-    if (first <= last) {
-        const double beyond = std::max(last - first, 1e-3 * std::max(std::abs(first), std::abs(last)));
-        range = {std::max(data.low, first - beyond), std::min(data.high, last + beyond)};
-    }
-    if (!(range.low < range.high)) {
-        const double at = std::isfinite(range.low) ? range.low : std::isfinite(range.high) ? range.high : 0;
-        range = {at, at + std::max(1.0, 1e-6 * std::abs(at))};
-    }
-    return range;
-}
 
 }  // namespace
 
 OpticalTable makeOpticalTable(const TransferFunction& look, const Interval& data, bool whole, double unit) {
-    const Interval range = tabulated(look, data);
+    const Interval range = tabulatedRange(look, data, 1, 1e-3);
     const double width = range.high - range.low;
     OpticalTable table;
     table.low = static_cast<float>(range.low);
@@ -52,8 +29,7 @@ OpticalTable makeOpticalTable(const TransferFunction& look, const Interval& data
     Vec3 color(0), glowBefore(0);
     for (std::size_t n = 0; n < entries; ++n) {
         const double value = double(table.low) + double(n) / double(table.scale);
-        const double opacity = std::clamp(look.opacity(value), 0.0, kLargestOpacity);
-        const double extinction = opacity > 0 ? -std::log1p(-opacity) * unit : 0;
+        const double extinction = extinctionOf(look.opacity(value)) * unit;
         const Vec3 glow = extinction * look.color(value);
         if (n > 0) {
             depth += 0.5 * (extinctionBefore + extinction);

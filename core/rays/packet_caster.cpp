@@ -151,14 +151,14 @@ private:
 
     /// What the table tells of a stretch between two samples.
     struct Stretch {
-        Mask taken;      // lanes that take it …
-        Mask known;      // … and those that have a sample at its beginning
-        Mask same;       // of those with a beginning, the ones whose value does not change
-        Whole from;      // its bins: where it begins …
-        Places other;    // … and ends; a value that does not change is taken to change by one bin
-        Real depth;      // the table at its end
-        Real absorbed;   // what it absorbs
-        Mask visible;    // whether that is anything
+        Mask taken;     // lanes that take it …
+        Mask known;     // … and those that have a sample at its beginning
+        Mask same;      // of those with a beginning, the ones whose value does not change
+        Whole from;     // its bins: where it begins …
+        Places other;   // … and ends; a value that does not change is taken to change by one bin
+        Real depth;     // the table at its end
+        Real absorbed;  // what it absorbs
+        Mask visible;   // whether that is anything
     };
     HWY_INLINE Stretch stretch(Mask taken, Mask known, Whole from, Real depthThere, const Sample& end) const {
         Stretch s;
@@ -170,8 +170,7 @@ private:
         const Real depth = realsAt(table_.depth.data(), s.other);
         s.absorbed = hn::Sub(depth, depthThere);
         s.depth = hn::IfThenElse(s.same, depthThere, depth);
-        s.visible =
-            hn::And(hn::And(hn::And(taken, known), end.defined), hn::Ne(s.absorbed, hn::Zero(F())));
+        s.visible = hn::And(hn::And(hn::And(taken, known), end.defined), hn::Ne(s.absorbed, hn::Zero(F())));
         return s;
     }
 
@@ -232,7 +231,8 @@ private:
     HWY_INLINE void composite(Stretch (&s)[2], const Real (&ends)[3]) {
         if (hn::AllFalse(F(), hn::Or(s[0].visible, s[1].visible))) {
             // Where nothing is absorbed the table of colours does not change.
-            for (const Stretch& stretch : s) knowsColor_ = hn::AndNot(hn::AndNot(stretch.known, stretch.taken), knowsColor_);
+            for (const Stretch& stretch : s)
+                knowsColor_ = hn::AndNot(hn::AndNot(stretch.known, stretch.taken), knowsColor_);
             return;
         }
         const float* colors = table_.color.data();
