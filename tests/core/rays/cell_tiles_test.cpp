@@ -4,7 +4,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/base/parallel.h"
 #include "core/stf/mapped_cells.h"
 #include "tests/core/rays/ray_scenes.h"
 
@@ -131,13 +130,7 @@ TEST(CellTiles, ARayMayEnterSeveralTimes) {
 
 TEST(CellTiles, AreTheSameForEveryNumberOfThreadsAndPortion) {
     const CompiledScene scene = lit(thin(sceneOf(under(bentLattice(0.3, 16), waveVolume()), kOblique, 0.05)));
-    setThreadCount(1);
-    const Picture one = drawn(scene, {133, 97});
-    for (const int threads : {2, 3, 0}) {
-        setThreadCount(threads);
-        EXPECT_EQ(drawn(scene, {133, 97}).pixels, one.pixels);
-    }
-    EXPECT_EQ(drawn(scene, {133, 97}, 1e-6).pixels, one.pixels);
+    expectSameForThreads(scene);
 }
 
 TEST(CellTiles, AnEditDrawsWhatAFreshStartDoes) {

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/base/parallel.h"
 #include "core/stf/composite_maps.h"
 #include "tests/core/rays/ray_scenes.h"
 #include "tests/core/stf/library_maps.h"
@@ -90,13 +89,7 @@ TEST(ChainCells, AreTheSameForEveryNumberOfThreads) {
     const TransferPtr open = library("open", {{"axis", Axes{0}}, {"hinge", Axes{2}}});
     const TransferPtr twist = library("twist", {{"axis", Axes{2}}, {"angle", Numbers{200}}});
     const CompiledScene scene = lit(boxScene(under(twist, under(open, boxVolume()))));
-    setThreadCount(1);
-    const Picture one = drawn(scene, {133, 97});
-    for (const int threads : {2, 3, 0}) {
-        setThreadCount(threads);
-        EXPECT_EQ(drawn(scene, {133, 97}).pixels, one.pixels);
-    }
-    EXPECT_EQ(drawn(scene, {133, 97}, 1e-6).pixels, one.pixels);
+    expectSameForThreads(scene);
 }
 
 TEST(ChainCells, AreRoughOnlyWhileSomethingMoves) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/base/parallel.h"
 #include "tests/core/rays/ray_scenes.h"
 
 namespace voledit {
@@ -77,13 +76,7 @@ TEST(RayRenderer, IsTheSameForEveryNumberOfThreadsAndPortion) {
     const TermPtr term = makeVolumeTerm(typed<std::uint16_t>(Index3(40), unitGrid(40), 300), 0, moved(bands(), 300, 0));
     CompiledScene scene = lit(sceneOf(term, kOblique, 0.05));
     scene.opacityDistance = 0.15;
-    setThreadCount(1);
-    const Picture one = drawn(scene, {133, 97});
-    for (const int threads : {2, 4, 0}) {
-        setThreadCount(threads);
-        EXPECT_EQ(drawn(scene, {133, 97}).pixels, one.pixels);
-    }
-    EXPECT_EQ(drawn(scene, {133, 97}, 1e-6).pixels, one.pixels);
+    expectSameForThreads(scene);
 }
 
 TEST(RayRenderer, AnEyeWithinSeesOnlyWhatLiesAhead) {

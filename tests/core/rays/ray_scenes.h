@@ -1,8 +1,11 @@
 #pragma once
 // Volumes, looks and scenes of the ray-caster's tests.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/eval/ray_caster.h"
 #include "core/rays/ray_renderer.h"
 #include "tests/support/scenes.h"
@@ -19,6 +22,18 @@ inline Picture drawn(const CompiledScene& scene, Index2 size = kSize, double bud
     while (!renderer.advance(budgetMs)) {
     }
     return renderer.picture();
+}
+
+/// Expects the same picture, to the bit, of every number of threads and in however many portions it is drawn.
+inline void expectSameForThreads(const CompiledScene& scene) {
+    const Index2 size(133, 97);
+    setThreadCount(1);
+    const Picture one = drawn(scene, size);
+    for (const int threads : {2, 3, 0}) {
+        setThreadCount(threads);
+        EXPECT_EQ(drawn(scene, size).pixels, one.pixels) << threads << " threads";
+    }
+    EXPECT_EQ(drawn(scene, size, 1e-6).pixels, one.pixels) << "in portions";
 }
 
 /// What the reference draws with steps of 1/16.
