@@ -4,6 +4,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/fields/voxel_type.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/fields/row_ranges.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
@@ -27,22 +29,23 @@ HWY_INLINE V greater(V value, V most) {
     return hn::Max(value, most);
 }
 
-template <class D, class T>
-HWY_INLINE void rangeAt(D d, std::span<const T* const> lowRows, std::span<const T* const> highRows, std::size_t at,
-                        T* low, T* high) {
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE void rangeAt(D d, std::span<const void* const> lowRows, std::span<const void* const> highRows,
+                        std::size_t at, T* low, T* high) {
     using Limits = std::numeric_limits<T>;
     auto least = hn::Set(d, Limits::has_infinity ? Limits::infinity() : Limits::max());
     auto most = hn::Set(d, Limits::has_infinity ? -Limits::infinity() : Limits::lowest());
     for (std::size_t r = 0; r < lowRows.size(); ++r) {
-        least = lesser(hn::LoadU(d, lowRows[r] + at), least);
-        most = greater(hn::LoadU(d, highRows[r] + at), most);
+        least = lesser(hn::LoadU(d, static_cast<const T*>(lowRows[r]) + at), least);
+        most = greater(hn::LoadU(d, static_cast<const T*>(highRows[r]) + at), most);
     }
     hn::StoreU(least, d, low + at);
     hn::StoreU(most, d, high + at);
 }
 
 template <class T>
-void ranges(std::span<const T* const> lowRows, std::span<const T* const> highRows, std::size_t count, T* low, T* high) {
+void ranges(std::span<const void* const> lowRows, std::span<const void* const> highRows, std::size_t count, T* low,
+            T* high) {
     const hn::ScalableTag<T> d;
     const hn::CappedTag<T, 1> one;
     std::size_t at = 0;
@@ -52,20 +55,13 @@ void ranges(std::span<const T* const> lowRows, std::span<const T* const> highRow
     for (; at < count; ++at) rangeAt(one, lowRows, highRows, at, low, high);
 }
 
-#define VOLEDIT_RANGES(Name, T)                                                                                 \
-    void ranges##Name(std::span<const T* const> lowRows, std::span<const T* const> highRows, std::size_t count, \
-                      T* low, T* high) {                                                                        \
-        ranges(lowRows, highRows, count, low, high);                                                            \
-    }
-VOLEDIT_RANGES(Int8, std::int8_t)
-VOLEDIT_RANGES(UInt8, std::uint8_t)
-VOLEDIT_RANGES(Int16, std::int16_t)
-VOLEDIT_RANGES(UInt16, std::uint16_t)
-VOLEDIT_RANGES(Int32, std::int32_t)
-VOLEDIT_RANGES(UInt32, std::uint32_t)
-VOLEDIT_RANGES(Float, float)
-VOLEDIT_RANGES(Double, double)
-#undef VOLEDIT_RANGES
+void rangesOfType(VoxelType type, std::span<const void* const> lowRows, std::span<const void* const> highRows,
+                  std::size_t count, void* low, void* high) {
+    withVoxelType(type, [&](auto sample) {
+        using T = decltype(sample);
+        ranges<T>(lowRows, highRows, count, static_cast<T*>(low), static_cast<T*>(high));
+    });
+}
 
 }  // namespace voledit::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -74,23 +70,21 @@ HWY_AFTER_NAMESPACE();
 
 namespace voledit {
 
-#define VOLEDIT_RANGES(Name, T)                                                                                 \
-    HWY_EXPORT(ranges##Name);                                                                                   \
-    template <>                                                                                                 \
-    void rangesOfRows(std::span<const T* const> lowRows, std::span<const T* const> highRows, std::size_t count, \
-                      T* low, T* high) {                                                                        \
-        HWY_DYNAMIC_DISPATCH(ranges##Name)(lowRows, highRows, count, low, high);                                \
-    }
-VOLEDIT_RANGES(Int8, std::int8_t)
-VOLEDIT_RANGES(UInt8, std::uint8_t)
-VOLEDIT_RANGES(Int16, std::int16_t)
-VOLEDIT_RANGES(UInt16, std::uint16_t)
-VOLEDIT_RANGES(Int32, std::int32_t)
-VOLEDIT_RANGES(UInt32, std::uint32_t)
-VOLEDIT_RANGES(Float, float)
-VOLEDIT_RANGES(Double, double)
-#undef VOLEDIT_RANGES
+HWY_EXPORT(rangesOfType);
+void rangesOfRows(VoxelType type, std::span<const void* const> lowRows, std::span<const void* const> highRows,
+                  std::size_t count, void* low, void* high) {
+    HWY_DYNAMIC_DISPATCH(rangesOfType)(type, lowRows, highRows, count, low, high);
+}
 
 }  // namespace voledit
+
+// libhwy measures the resolution of the processor's timer whenever it is loaded, for its benchmarks, which takes 5 ms
+// of every start of every program. It calls this by its table of symbols, in which those of the program come first.
+namespace hwy::platform {
+std::uint64_t TimerResolution();
+std::uint64_t TimerResolution() {
+    return 1;
+}
+}  // namespace hwy::platform
 
 #endif

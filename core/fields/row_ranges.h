@@ -4,14 +4,15 @@
 #include <cstddef>
 #include <span>
 
+#include "core/fields/volume.h"
+
 namespace voledit {
 
 /// low[i] = the smallest of lowRows[r][i] over all r, high[i] = the largest of highRows[r][i]; NaN counts as nothing,
 /// and where there is nothing else they are numeric_limits' infinity or largest number, and its negative or lowest.
-/// Both lists are equally long, all rows hold `count` elements, wherever they begin; low and high may not overlap any.
-/// T is one of the types that VoxelType names.
-template <class T>
-void rangesOfRows(std::span<const T* const> lowRows, std::span<const T* const> highRows, std::size_t count, T* low,
-                  T* high);
+/// Both lists are equally long; all rows, low and high hold `count` elements of `type`, wherever they begin; low and
+/// high may not overlap any.
+void rangesOfRows(VoxelType type, std::span<const void* const> lowRows, std::span<const void* const> highRows,
+                  std::size_t count, void* low, void* high);
 
 }  // namespace voledit

@@ -126,10 +126,10 @@ template <class T>
 std::pair<T, T> extremes(const T* values, std::size_t count) {
     constexpr std::size_t kLength = 1024;  // of rows that are joined element by element
     std::array<T, kLength> low, high;
-    std::vector<const T*> rows;
+    std::vector<const void*> rows;
     T least = std::numeric_limits<T>::max(), most = std::numeric_limits<T>::lowest();
     const auto join = [&](std::size_t length) {
-        rangesOfRows<T>(rows, rows, length, low.data(), high.data());
+        rangesOfRows(voxelTypeFor<T>(), rows, rows, length, low.data(), high.data());
         for (std::size_t i = 0; i < length; ++i) {
             least = std::min(least, low[i]);
             most = std::max(most, high[i]);

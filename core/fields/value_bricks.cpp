@@ -29,8 +29,7 @@ Index2 samplesOf(int b, int margin, int n) {
     return {std::max(b * kSide - margin, 0), std::min((b + 1) * kSide + margin, n - 1) + 1};
 }
 
-template <class T>
-using Rows = std::vector<const T*>;
+using Rows = std::vector<const void*>;
 
 /// A row's ranges, element by element, with room for what stands beyond its ends.
 template <class T>
@@ -80,7 +79,7 @@ private:
             }
             first_.push_back(row);
         }
-        rangesOfRows<T>(first_, first_, length_, rowRange(y).low.data(), rowRange(y).high.data());
+        rangesOfRows(voxelTypeFor<T>(), first_, first_, length_, rowRange(y).low.data(), rowRange(y).high.data());
     }
 
     void joinRows(const Index2& rows) {
@@ -91,7 +90,8 @@ private:
             second_.push_back(rowRange(y).high.data());
         }
         const auto before = std::size_t(margin_);
-        rangesOfRows<T>(first_, second_, length_, joined_.low.data() + before, joined_.high.data() + before);
+        rangesOfRows(voxelTypeFor<T>(), first_, second_, length_, joined_.low.data() + before,
+                     joined_.high.data() + before);
         // Repeated end samples change no brick's range: they lie in that of each brick which reaches beyond the end.
         for (auto* side : {&joined_.low, &joined_.high}) {
             const auto start = side->begin() + std::ptrdiff_t(before), end = start + std::ptrdiff_t(length_);
@@ -108,7 +108,8 @@ private:
             first_.push_back(joined_.low.data() + shift);
             second_.push_back(joined_.high.data() + shift);
         }
-        rangesOfRows<T>(first_, second_, windows_.low.size(), windows_.low.data(), windows_.high.data());
+        rangesOfRows(voxelTypeFor<T>(), first_, second_, windows_.low.size(), windows_.low.data(),
+                     windows_.high.data());
     }
 
     void store(std::size_t at) {
@@ -128,7 +129,7 @@ private:
     std::vector<RowRange<T>> rows_;  // of the last rows, by turns
     RowRange<T> joined_, windows_;
     std::vector<T> picked_;  // one channel of interleaved rows
-    Rows<T> first_, second_;
+    Rows first_, second_;
 };
 
 }  // namespace
