@@ -3,11 +3,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <mutex>
 #include <thread>
 
 namespace voledit {
@@ -41,7 +42,9 @@ void withProgress(const std::string& what, Verbosity verbosity, const std::funct
     const bool bar = verbosity != Verbosity::Quiet && isatty(STDERR_FILENO);
     const auto start = std::chrono::steady_clock::now();
     Progress progress;
-    std::atomic<bool> done{false};
+    std::mutex mutex;
+    std::condition_variable wake;
+    bool done = false;
     interrupted = 0;
     struct sigaction action {
     }, before{};
@@ -49,16 +52,21 @@ void withProgress(const std::string& what, Verbosity verbosity, const std::funct
     sigaction(SIGINT, &action, &before);
     std::thread watcher([&] {
         bool drawn = false;
+        std::unique_lock lock(mutex);
         for (int tick = 0; !done; ++tick) {
             if (interrupted) progress.cancel();
             if (bar && tick >= 25 && tick % 5 == 0) draw(what, progress.fraction(), secondsSince(start)), drawn = true;
             if (report && tick % 10 == 0) std::printf("progress %.3f\n", progress.fraction()), std::fflush(stdout);
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            wake.wait_for(lock, std::chrono::milliseconds(20), [&] { return done; });
         }
         if (drawn) std::fprintf(stderr, "\r%*s\r", 70 + static_cast<int>(what.size()), "");
     });
     const auto finish = [&] {
-        done = true;
+        {
+            const std::scoped_lock lock(mutex);
+            done = true;
+        }
+        wake.notify_one();
         watcher.join();
         sigaction(SIGINT, &before, nullptr);
     };
