@@ -61,7 +61,8 @@ private:
     std::vector<std::uint8_t> clearance_;
 };
 
-/// The term's grid, made on first use and kept with it while the two numbers stay the same. Safe from many threads.
+/// The term's grid, of this spacing or finer, made on first use and kept with it until a finer one is asked for, or one
+/// for another distance. Safe from many threads.
 std::shared_ptr<const OpacityGrid> opacityGridOf(const Term& term, double spacing, double opacityDistance);
 
 }  // namespace voledit

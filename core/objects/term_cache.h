@@ -18,8 +18,13 @@ class LastMade {
 public:
     template <class Make>
     std::shared_ptr<const Made> get(const Key& key, const Make& make) {
+        return get(key, make, [&](const Key& known) { return known == key; });
+    }
+    /// The last one, if its key suits(key); else one for `key`.
+    template <class Make, class Suits>
+    std::shared_ptr<const Made> get(const Key& key, const Make& make, const Suits& suits) {
         const std::lock_guard lock(lock_);
-        if (!made_ || key_ != key) {
+        if (!made_ || !suits(key_)) {
             made_ = make();
             key_ = key;
         }
@@ -44,9 +49,12 @@ public:
         std::call_once(spaceOnce_, [&] { space_ = std::make_unique<const EmptySpace>(term); });
         return *space_;
     }
+    /// A finer one will do: pictures in longer steps, while something moves, make none anew.
     std::shared_ptr<const OpacityGrid> opacityGrid(const Term& term, double spacing, double opacityDistance) const {
-        return grid_.get({spacing, opacityDistance},
-                         [&] { return std::make_shared<const OpacityGrid>(term, spacing, opacityDistance); });
+        return grid_.get(
+            {spacing, opacityDistance},
+            [&] { return std::make_shared<const OpacityGrid>(term, spacing, opacityDistance); },
+            [&](const auto& known) { return known.first <= spacing && known.second == opacityDistance; });
     }
     /// Of a grid of this term's.
     std::shared_ptr<const Openness> openness(const std::shared_ptr<const OpacityGrid>& grid, float radius) const {

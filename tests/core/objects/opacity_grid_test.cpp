@@ -93,7 +93,9 @@ TEST(OpacityGrid, IsKeptWithItsTermAndNeverTooLarge) {
     const TermPtr term = ball();
     const auto grid = opacityGridOf(*term, 0.1, 1);
     EXPECT_EQ(opacityGridOf(*term, 0.1, 1), grid);
-    EXPECT_NE(opacityGridOf(*term, 0.2, 1), grid);
+    EXPECT_EQ(opacityGridOf(*term, 0.2, 1), grid);  // a finer one will do
+    EXPECT_NE(opacityGridOf(*term, 0.1, 2), grid);
+    EXPECT_EQ(opacityGridOf(*term, 0.05, 1)->spacing(), 0.05);
     const auto fine = opacityGridOf(*solid(BoxShape{}, Vec3(1), "0"), 1e-4, 1);
     EXPECT_LE(fine->level(0).alpha.size(), OpacityGrid::kMostCells);
     EXPECT_GT(fine->level(0).alpha.size(), OpacityGrid::kMostCells / 2);
