@@ -2,7 +2,8 @@
 
 #include <glm/matrix.hpp>
 
-#include "core/stf/mapped_cells.h"
+#include "core/objects/seen_part.h"
+#include "core/stf/source_solid.h"
 #include "render/slice_variants.h"
 
 namespace voledit {
@@ -77,6 +78,17 @@ ProgramVariant ChainContent::variant(const Part& part, int pass) const {
     return foldVariant(variant, plan_.forward->combine, pass, coverCounts(*plan_.forward));
 }
 
+CutFaces ChainContent::findCutFaces() const {
+    if (!plan_.forward) return {domain()};
+    const auto next = workshop_.resources.nextFromSource();
+    std::vector<std::vector<Vec4>> planes{
+        sourceFacesIn(*plan_.forward->by->cells(), workshop_.resources.entryFromSource())};
+    for (std::size_t m = 0; m < next.size(); ++m)
+        planes.push_back(sourceFacesIn(*plan_.located[m].transfer->by->cells(), next[m]));
+    planes.back() = facesThrough(std::move(planes.back()), domain());
+    return cutFaces(domain(), std::move(planes));
+}
+
 void ChainContent::setUniforms(Program& p) const {
     const Volume& volume = *plan_.volume->volume;
     const Box3 domain = volume.grid().indexDomain();
@@ -90,19 +102,14 @@ void ChainContent::setUniforms(Program& p) const {
     p.set("gradientTable", 3);
     p.set("volumeLast", Vec3f(volume.grid().size - 1));
     p.set("texelPerIndex", Vec3f(1.0 / Vec3(volume.grid().size)));
-    p.set("domainMin", Vec3f(domain.min - 1e-3));
-    p.set("domainMax", Vec3f(domain.max + 1e-3));
-    p.set("cutMin", Vec3f(domain.min));
-    p.set("cutMax", Vec3f(domain.max));
-    // As CutFinder has it: none where pre-images combine, nor under several maps of cells.
-    if (folded_ || !plan_.located.empty()) p.set("cutThickness", 0.0F);
-    p.set("cellsEnd", int(plan_.forward && plan_.forward->by->outside() == Outside::Hide));
-    if (plan_.forward) {
-        const Box3 cells = sourceBox(*plan_.forward->by->cells());
-        p.set("sourceFromPlace", Mat4f(glm::inverse(workshop_.resources.entryFromSource())));
-        p.set("cellsMin", Vec3f(cells.min));
-        p.set("cellsMax", Vec3f(cells.max));
-    }
+    const CutFaces faces = findCutFaces();
+    // Slabs end where cells do; but what a map keeps outside its cells goes on.
+    const Box3 ends = plan_.located.empty() && !anyMayCombine(*plan_.root) ? faces.box : domain;
+    p.set("domainMin", Vec3f(ends.min - 1e-3));
+    p.set("domainMax", Vec3f(ends.max + 1e-3));
+    // As CutFinder has it: none where pre-images combine.
+    if (anyMayCombine(*plan_.root)) p.set("cutThickness", 0.0F);
+    setCutFaces(p, faces);
     p.set("tableScale", float(texture.valueScale * entriesPerValue));
     p.set("tableOffset", float((texture.valueOffset - table.low) * entriesPerValue));
     p.set("tableSize", float(TransferTable::kSize));

@@ -1,6 +1,7 @@
 #pragma once
 // Slices of a chain of forward and affine maps over one volume.
 
+#include "render/cut_uniforms.h"
 #include "render/slice_content.h"
 #include "render/slice_picture.h"
 
@@ -20,6 +21,9 @@ public:
     void bind() const override;
 
 private:
+    /// Those of the volume's box and of the solids that the maps' cells come from.
+    CutFaces findCutFaces() const;
+
     SliceWorkshop& workshop_;
     SlicePlan plan_;
     bool shaded_, folded_;

@@ -49,6 +49,7 @@ LocatedMaps makeLocatedMaps(const SlicePlan& plan) {
         const Mat4 nextFromSource = m + 1 < grids.size()
                                         ? grids[m + 1].gridFromDeformed * plan.located[m + 1].deformedFromSource
                                         : plan.indexFromSource;
+        made.nextFromSource.push_back(nextFromSource);
         const Index3& r = grids[m].resolution;
         made.maps.push_back({Mat4f(nextFromSource * glm::inverse(grids[m].gridFromDeformed)),
                              {r.x, r.y, r.z, std::int32_t(made.cells.size())},

@@ -14,6 +14,9 @@ namespace voledit {
 struct LocatedMaps : CellArrays {
     /// From the source space of the forward map above all of them to the first one's grid coordinates.
     Mat4 entryFromSource{1};
+    /// From each located map's source space to where its results are looked up: the next one's grid coordinates, or the
+    /// volume's indices.
+    std::vector<Mat4> nextFromSource = {};
 };
 
 /// Needs at least one located map. Throws Error where the cells are too many for 32 bits.

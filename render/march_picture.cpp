@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "core/eval/cut_faces.h"
+#include "render/cut_uniforms.h"
 #include "render/light_uniforms.h"
 #include "render/slice_variants.h"
 
@@ -142,13 +143,7 @@ void MarchPicture::setUniforms(const CompiledScene& scene) {
     p.set("opacityDistance", float(scene.opacityDistance));
     p.set("least", workshop_.options.mask ? 1 - SliceTarget::kOpaque : 0.0F);
     p.set("cutThickness", float(cutThickness(scene)));
-    const Box3 domain = plan_.volume->volume->grid().indexDomain();
-    p.set("cutMin", Vec3f(domain.min));
-    p.set("cutMax", Vec3f(domain.max));
-    p.set("cellsEnd", int(plan_.clip != domain));
-    p.set("sourceFromPlace", Mat4f(1));
-    p.set("cellsMin", Vec3f(plan_.clip.min));
-    p.set("cellsMax", Vec3f(plan_.clip.max));
+    setCutFaces(p, {plan_.clip});
     setLights(p, scene.render, lightsOf(scene.render, scene.camera));
     if (surrounded_) workshop_.surroundings.setUniforms(p, scene.render, view_, referenceDepth_);
 }

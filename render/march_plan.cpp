@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "core/stf/mapped_cells.h"
+#include "core/stf/source_solid.h"
 #include "render/slice_plan.h"
 
 namespace voledit {

@@ -1,10 +1,9 @@
 #include "render/slice_plan.h"
 
-#include <cmath>
 #include <glm/matrix.hpp>
 #include <set>
 
-#include "core/stf/mapped_cells.h"
+#include "core/stf/source_solid.h"
 
 namespace voledit {
 
@@ -38,15 +37,7 @@ std::optional<SlicePlan> planChain(const TermPtr& root) {
 
 bool canBeCut(const SpatialTransferFunction& map) {
     const MappedCells* cells = map.cells();
-    if (!cells || map.outside() == Outside::Keep || cells->mayOverlap()) return false;
-    const Vec3 size = sourceBox(*cells).size();
-    double volume = 0;
-    for (const auto& t : cells->tetrahedra()) {
-        const auto q = [&](std::size_t n) { return cells->source()[t[n]]; };
-        volume += std::abs(glm::determinant(Mat3(q(1) - q(0), q(2) - q(0), q(3) - q(0)))) / 6;
-    }
-    const double whole = size.x * size.y * size.z;
-    return whole > 0 && std::abs(volume - whole) <= 1e-6 * whole;
+    return cells && map.outside() == Outside::Hide && !cells->mayOverlap() && fillSourceBox(*cells);
 }
 
 namespace {
@@ -68,12 +59,6 @@ bool holdsSolids(const Term& root) {
 }
 
 }  // namespace
-
-Box3 sourceBox(const MappedCells& cells) {
-    Box3 box;
-    for (const Vec3& q : cells.source()) box = join(box, q);
-    return box;
-}
 
 TermPlan planTerm(const TermPtr& root) {
     const bool solids = holdsSolids(*root);

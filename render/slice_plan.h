@@ -49,8 +49,6 @@ TermPlan planTerm(const TermPtr& root);
 /// Whether cells' polygons may carry the map: each point has one pre-image at most, and the cells' source fills a box,
 /// so that renderers know where it ends.
 bool canBeCut(const SpatialTransferFunction& map);
-/// Box of the source coordinates.
-Box3 sourceBox(const MappedCells& cells);
 
 /// Throws Error for a term that slices cannot draw, which says to use rays.
 void checkSlices(const TermPtr& root);

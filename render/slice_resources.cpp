@@ -93,6 +93,7 @@ void SliceResources::prepareLocated(const SlicePlan& plan) {
     }
     made.affine.push_back(plan.indexFromSource);
     made.entryFromSource = maps.entryFromSource;
+    made.nextFromSource = maps.nextFromSource;
     made.buffers = cellBuffers(maps);
     located_ = std::move(made);
 }

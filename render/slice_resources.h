@@ -37,6 +37,10 @@ public:
     /// From the source space of the outermost forward map (the world, without one) to what the cells carry: index
     /// coordinates, or the grid coordinates of the first located map.
     Mat4 entryFromSource() const { return located_ ? located_->entryFromSource : mesh_->indexFromSource; }
+    /// From each located map's source space on (LocatedMaps::nextFromSource).
+    std::span<const Mat4> nextFromSource() const {
+        return located_ ? std::span<const Mat4>(located_->nextFromSource) : std::span<const Mat4>();
+    }
     /// The outermost forward map's cells; without one, the volume's bricks.
     const CellMesh& mesh() const { return mesh_->mesh; }
     /// Those of the cells that overlap no other and are not nearly flat, where `CullRequest::separate` asked; `mesh`
@@ -68,6 +72,7 @@ private:
         std::vector<std::weak_ptr<const SpatialTransferFunction>> sources;
         std::vector<Mat4> affine;  // between them, and after the last
         Mat4 entryFromSource;
+        std::vector<Mat4> nextFromSource;
         std::array<Buffer, 5> buffers;
     };
     struct Meshes {

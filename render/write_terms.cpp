@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 
 #include "core/fields/value_bricks.h"
-#include "core/stf/mapped_cells.h"
+#include "core/stf/source_solid.h"
 #include "core/stf/mesh_field.h"
 #include "render/slice_plan.h"
 #include "render/term_writer.h"

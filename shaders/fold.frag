@@ -30,12 +30,12 @@ void main() {
     vec3 ray, index, perDepth;
     mat3 jacobian;
     readSlice(ray, index, perDepth, jacobian);
-    placeEntered = index;
-    placePerDepthEntered = perDepth;
 #ifdef LOCATED
     uint hint[kMostLocated] = noHints();
-    bool inside = locate(index, hint, index, jacobian);
+    Entered face;
+    bool inside = locate(index, hint, index, jacobian, ray, face, true);
 #else
+    Entered face = enteredBefore(index, jacobian, ray);
     bool inside = insideVolume(index);
 #endif
     float raw = rawAt(index);
@@ -57,7 +57,7 @@ void main() {
 #endif
     vec2 light = vec2(1.0, 0.0);
 #ifdef SHADED
-    light = reflected(withCut(faceBefore(index, 0.0, jacobian, ray), gradient * jacobian), ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
+    light = reflected(withCut(cutBy(face, ray), gradient * jacobian), ray, lightShare(0.0, 1.0 - exp(-thickness), ray));
 #endif
     vec3 color = colorAt(entry);
     float clear = exp(-thickness);

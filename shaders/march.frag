@@ -106,9 +106,7 @@ void composite(Ray ray, Block block, float begin, Stretch stretch, inout vec3 se
     float place = mix(stretch.begin, stretch.end, meanPlace(ends, depth));
     vec3 index = indexOn(block.line, place);
     mat3 jacobian = indexJacobian(ray, begin - blockBegin(begin) + place);
-    placeEntered = index;
-    placePerDepthEntered = jacobian * ray.direction;
-    vec3 gradient = withCut(faceBefore(index, 0.0, jacobian, ray.direction), rawDifferencesAt(index) * jacobian);
+    vec3 gradient = withCut(cutBy(enteredBefore(index, jacobian, ray.direction), ray.direction), rawDifferencesAt(index) * jacobian);
     vec2 share = lightShareAt(ray.depth + (begin - blockBegin(begin) + place) * ray.depthPerStep, ray.direction);
     vec2 light = reflected(gradient, ray.direction, share);
     what.rgb = what.rgb * light.x + light.y;

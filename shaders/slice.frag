@@ -32,8 +32,6 @@ void main() {
     vec3 ray, index, perDepth;
     mat3 jacobian;
     readSlice(ray, index, perDepth, jacobian);
-    placeEntered = index;
-    placePerDepthEntered = perDepth;
     SlabRay at = slabRay(index, perDepth, jacobian);
 #ifdef MAPPED
     if (!indexOn(at, 0.0, index) || !insideVolume(index)) discard;

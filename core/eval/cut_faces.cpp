@@ -60,14 +60,6 @@ std::array<Vec3, 2> across(const Vec3& direction) {
     return {first, glm::cross(direction, first)};
 }
 
-/// Maps of cells one after the other, from the root down to what is no map.
-int mapsOfCells(const Term& term) {
-    int count = 0;
-    for (const Term* at = &term; const auto* transfer = std::get_if<TransferTerm>(&at->node); at = transfer->of.get())
-        count += transfer->by->cells() != nullptr;
-    return count;
-}
-
 }  // namespace
 
 double cutThickness(const CompiledScene& scene) {
@@ -78,7 +70,7 @@ double cutThickness(const CompiledScene& scene) {
 CutFinder::CutFinder(const CompiledScene& scene) : CutFinder(*scene.root, cutThickness(scene)) {}
 
 CutFinder::CutFinder(const Term& term, double thickness)
-    : term_(term), thickness_(thickness), mayCut_(holdsData(term) && mapsOfCells(term) < 2) {}
+    : term_(term), thickness_(thickness), mayCut_(holdsData(term)) {}
 
 std::optional<CutFace> CutFinder::before(const Vec3& origin, const Vec3& direction, double seen) const {
     if (!mayCut_) return std::nullopt;
@@ -95,7 +87,8 @@ std::optional<CutFace> CutFinder::before(const Vec3& origin, const Vec3& directi
     if (!depth) return std::nullopt;
     const Vec3 here = origin + *depth * direction;
     const double little = kInside * thickness_;
-    if (const auto axis = part.boxAxis(here + little * direction)) return CutFace{*depth, {}, *axis, part};
+    const Vec3 inner = here + little * direction;
+    if (const auto face = part.face(inner)) return CutFace{*depth, inner, {}, part, *face};
     if (part.isOutOfCells(here - little * direction)) return std::nullopt;
     std::array<Vec3, 2> along{};
     const auto sides = across(direction);
@@ -105,13 +98,15 @@ std::optional<CutFace> CutFinder::before(const Vec3& origin, const Vec3& directi
         along[n] = sides[n] + *slope * direction;
     }
     const Vec3 normal = glm::normalize(glm::cross(along[0], along[1]));
-    return CutFace{*depth, glm::dot(normal, direction) > 0 ? -normal : normal};
+    return CutFace{*depth, inner, glm::dot(normal, direction) > 0 ? -normal : normal};
 }
 
 Vec3 CutFinder::blended(const CutFace& cut, const Vec3& p, double depth, const Vec3& gradient) const {
     const double weight = std::clamp(2 - (depth - cut.depth) / thickness_, 0.0, 1.0);
     if (weight <= 0) return gradient;
-    const Vec3 normal = cut.axis < 0 ? cut.normal : cut.part->boxNormal(p, cut.axis);
+    // Samples may lie in front of the cut by rounding, where maps may lead nowhere.
+    const Vec3& at = depth > cut.depth + kInside * thickness_ ? p : cut.place;
+    const Vec3 normal = cut.part ? cut.part->normalOf(cut.face, at) : cut.normal;
     const double length = glm::length(gradient);
     if (weight >= 1 || !(length > 0) || !std::isfinite(length)) return normal;
     const Vec3 own = gradient / (glm::dot(gradient, normal) < 0 ? -length : length);

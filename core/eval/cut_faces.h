@@ -12,10 +12,11 @@ namespace voledit {
 /// A cut that a ray has passed.
 struct CutFace {
     double depth = 0;  // along the ray, world units
+    Vec3 place{0};     // just behind it
     Vec3 normal{0};    // unit, towards the eye
-    /// Where the face is a box's: the box's axis, and what is seen of the term.
-    int axis = -1;
+    /// Where the face is a plane one under maps: what is seen of the term, and its face.
     std::optional<SeenPart> part = std::nullopt;
+    SeenPart::Face face = {};
 };
 
 /// How deep behind a cut its normal counts in pictures of `scene`: a voxel, but no more than 1/32 of the longest side,
@@ -30,7 +31,7 @@ public:
     /// As pictures of `scene` have them.
     explicit CutFinder(const CompiledScene& scene);
 
-    /// False where none are looked for: in solids alone, and under several maps of cells one after the other.
+    /// False where nothing can be cut: solids alone.
     bool mayCut() const { return mayCut_; }
     double thickness() const { return thickness_; }
 

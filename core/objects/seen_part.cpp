@@ -121,44 +121,74 @@ struct Tester {
     }
 };
 
-/// Follows a point to a leaf's box.
-struct BoxFinder {
+/// Finds the face that a point within lies on.
+struct FaceFinder {
     Vec3 p;
     std::span<const std::uint32_t> choices;
-    bool turns;  // whether Jacobians are asked for
-    std::size_t next = 0;
-    Mat3 turn{1.0};  // d p / d the first p
+    std::size_t next = 0, maps = 0;
+    double nearest = 1;  // shares of the reach within which a face counts
+    std::optional<SeenPart::Face> face = std::nullopt;
     bool outOfCells = false;
-    std::optional<int> axis = std::nullopt;
 
     void through(const SpatialTransferFunction& map) {
-        Mat3 jacobian(1.0);
-        if (turns) map.jacobian(std::span(&p, 1), std::span(&jacobian, 1));
+        const MappedCells* cells = map.cells();
         const bool known = isDefined(p);
+        CellLocation at{};
+        // What is kept as it is comes from no cell.
+        const bool comesFromCell = cells && (map.outside() == Outside::Hide || (known && cells->locate(p, at)));
         map.map(std::span(&p, 1), std::span(&p, 1));
-        outOfCells = outOfCells || (known && !isDefined(p) && map.cells());
-        turn = jacobian * turn;
+        ++maps;
+        outOfCells = outOfCells || (known && !isDefined(p) && cells);
+        if (!comesFromCell || !isDefined(p)) return;
+        double reach = 0;
+        for (const Vec4& plane : cells->sourceFaces()) reach = std::max(reach, distanceTo(plane));
+        for (const Vec4& plane : cells->sourceFaces()) take(distanceTo(plane), 1e-5 * reach, Vec3(plane));
     }
     std::uint32_t operand(const CvgTerm&) { return choices[next++]; }
     void leaf(const Term& term) {
         if (!isDefined(p)) return;
         if (const auto* volume = std::get_if<VolumeTerm>(&term.node)) {
             const Mat4& indexFromWorld = volume->volume->indexFromWorld();
-            turn = Mat3(indexFromWorld) * turn;
-            nearest(volume->volume->grid().indexDomain(), transformPoint(indexFromWorld, p), 0.01);
+            takeBox(volume->volume->grid().indexDomain(), indexFromWorld, 0.01);
         } else if (const auto* fields = std::get_if<FieldsTerm>(&term.node)) {
             const Vec3 size = fields->box.size();
-            nearest(fields->box, p, 1e-5 * std::max({size.x, size.y, size.z}));
+            takeBox(fields->box, Mat4(1), 1e-5 * std::max({size.x, size.y, size.z}));
         }
     }
-    void nearest(const Box3& box, const Vec3& at, double reach) {
-        for (int a = 0; a < 3; ++a) {
-            const double distance = std::min(std::abs(at[a] - box.min[a]), std::abs(at[a] - box.max[a]));
-            if (!(distance < reach)) continue;
-            reach = distance;
-            axis = a;
-        }
+
+private:
+    double distanceTo(const Vec4& plane) const { return std::abs(glm::dot(Vec3(plane), p) + plane.w); }
+    void takeBox(const Box3& box, const Mat4& boxFromSpace, double reach) {
+        const Vec3 at = transformPoint(boxFromSpace, p);
+        for (int a = 0; a < 3; ++a)
+            take(std::min(std::abs(at[a] - box.min[a]), std::abs(at[a] - box.max[a])), reach,
+                 Vec3(glm::transpose(boxFromSpace)[a]));
     }
+    void take(double distance, double reach, const Vec3& normal) {
+        if (!(distance < nearest * reach)) return;
+        nearest = distance / reach;
+        face = SeenPart::Face{maps, normal};
+    }
+};
+
+/// Turns a normal back to where a point comes from.
+struct Turner {
+    Vec3 p;
+    std::span<const std::uint32_t> choices;
+    std::size_t maps;  // to go through
+    std::size_t next = 0;
+    Mat3 turn{1.0};  // d p / d the first p
+
+    void through(const SpatialTransferFunction& map) {
+        if (maps == 0) return;
+        --maps;
+        Mat3 jacobian(1.0);
+        map.jacobian(std::span(&p, 1), std::span(&jacobian, 1));
+        map.map(std::span(&p, 1), std::span(&p, 1));
+        turn = jacobian * turn;
+    }
+    std::uint32_t operand(const CvgTerm&) { return choices[next++]; }
+    void leaf(const Term&) {}
 };
 
 }  // namespace
@@ -215,24 +245,22 @@ bool SeenPart::within(const Vec3& p) const {
     return found != 0;
 }
 
-std::optional<int> SeenPart::boxAxis(const Vec3& p) const {
-    BoxFinder finder{.p = p, .choices = choices_, .turns = false};
+std::optional<SeenPart::Face> SeenPart::face(const Vec3& p) const {
+    FaceFinder finder{.p = p, .choices = choices_};
     follow(*term_, finder);
-    return finder.axis;
+    return finder.face;
 }
 
-Vec3 SeenPart::boxNormal(const Vec3& p, int axis) const {
-    BoxFinder finder{.p = p, .choices = choices_, .turns = true};
-    follow(*term_, finder);
-    Vec3 across(0);
-    across[axis] = 1;
-    const Vec3 turned = glm::transpose(finder.turn) * across;
+Vec3 SeenPart::normalOf(const Face& face, const Vec3& p) const {
+    Turner turner{.p = p, .choices = choices_, .maps = face.maps};
+    follow(*term_, turner);
+    const Vec3 turned = glm::transpose(turner.turn) * face.normal;
     const double length = glm::length(turned);
     return length > 0 && std::isfinite(length) ? turned / length : Vec3(0);
 }
 
 bool SeenPart::isOutOfCells(const Vec3& p) const {
-    BoxFinder finder{.p = p, .choices = choices_, .turns = false};
+    FaceFinder finder{.p = p, .choices = choices_};
     follow(*term_, finder);
     return finder.outOfCells;
 }

@@ -19,12 +19,18 @@ public:
     /// within[i] = 1 where p[i] is within the part, else 0. Sizes must be equal.
     void within(std::span<const Vec3> p, std::span<std::uint8_t> within) const;
     bool within(const Vec3& p) const;
-    /// The axis of a volume's (or fields') box whose face p, which is within, lies on but for a hundredth of a voxel (a
-    /// hundred-thousandth of the box); nullopt where p is on none.
-    std::optional<int> boxAxis(const Vec3& p) const;
-    /// The normal of the box across `axis` as it appears at p, unit, of either sign: turned by the Jacobians that turn
-    /// gradients, so that it shows no facets of cells. 0 where they give none.
-    Vec3 boxNormal(const Vec3& p, int axis) const;
+    /// A plane face at which the part may end: of the solid that a map's cells come from, or of a volume's (or fields')
+    /// box.
+    struct Face {
+        std::size_t maps = 0;  // on the way to the space in which …
+        Vec3 normal{0};        // … this is the face's, of any length and sign
+    };
+    /// The face that p, which is within, lies on but for a hundred-thousandth of its solid (of a volume, a hundredth of
+    /// a voxel); nullopt where p is on none.
+    std::optional<Face> face(const Vec3& p) const;
+    /// The normal of a face as it appears at p, unit, of either sign: turned by the Jacobians that turn gradients, so
+    /// that it shows no facets of cells. 0 where they give none.
+    Vec3 normalOf(const Face& face, const Vec3& p) const;
     /// True if p is out of a map's cells.
     bool isOutOfCells(const Vec3& p) const;
     /// False where a map on the way may have several pre-images, where a solid shades itself, or nothing was found: its

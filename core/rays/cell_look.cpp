@@ -5,11 +5,13 @@
 
 #include "core/base/parallel.h"
 #include "core/rays/chain_cells.h"
-#include "core/stf/mapped_cells.h"
+#include "core/stf/source_solid.h"
 
 namespace voledit {
 
 namespace {
+
+constexpr double kOnEnd = 1e-3;  // voxels: how far from a face of their solid cells at it may lie
 
 /// Where cells' sources lie in index space, and which of them can be seen.
 class Sources {
@@ -88,6 +90,10 @@ PacketCells mappedCells(const CellWay& way, const VolumeLook& look, bool turned)
     result.cells.resize(which.size());
     result.corners.resize(which.size());
     result.beyond.resize(which.size());
+    const Box3 domain = look.volumeTerm().volume->grid().indexDomain();
+    const std::vector<Vec4> ends =
+        turned ? facesThrough(sourceFacesIn(mapped, way.indexFromRest), domain) : std::vector<Vec4>();
+    if (!ends.empty()) result.atEnd.resize(which.size());
     parallelFor(which.size(), 512, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) {
             const auto& corners = mapped.tetrahedra()[which[n]];
@@ -99,6 +105,7 @@ PacketCells mappedCells(const CellWay& way, const VolumeLook& look, bool turned)
             result.cells[n] = packetCell(p, x);
             result.corners[n] = corners;
             result.beyond[n] = sources.beyond(corners);
+            if (!ends.empty()) result.atEnd[n] = touchesAny(ends, x, kOnEnd);
         }
     });
     return result;

@@ -32,6 +32,11 @@ bool mayHaveGaps(const Term& root) {
     return transfer && (!(transfer->by->cells() || transfer->by->affine()) || mayHaveGaps(*transfer->of));
 }
 
+/// How far off their place, in voxels, what cells show may be: those of chains follow these to a tenth or a half.
+double offOf(const CellWay& way) {
+    return way.isMappedCells() ? 0 : 0.5;
+}
+
 class CellTiles final : public TileCaster {
 public:
     CellTiles(const CompiledScene& scene, Index2 size, std::shared_ptr<const CellLook> look)
@@ -49,9 +54,10 @@ public:
         volume_ = packetVolume(*look_->look);
         volume_.cells = &look_->cells();
         volume_.light = packetLight(scene, surroundings_);
-        const bool gaps = mayHaveGaps(*scene.root);
-        if (scene.render.shading && (gaps || look_->look->reachesFaces(kCutReach)))
-            volume_.cuts = {&cuts_, world_.eye, scene.stepLength(), gaps};
+        // Where inner cells end, those of the whole way are ragged.
+        const bool gaps = mayHaveGaps(*scene.root) || look_->cells().firstRagged < look_->cells().cells.size();
+        if (scene.render.shading && (gaps || look_->look->reachesFaces(kCutReach) || look_->cells().hasEnds()))
+            volume_.cuts = {&cuts_, world_.eye, scene.stepLength(), offOf(look_->way) * cuts_.thickness(), gaps};
     }
 
     std::uint64_t cast(Picture& picture, Index2 first, Index2 end) const override {

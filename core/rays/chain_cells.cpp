@@ -8,7 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/rays/chain_parts.h"
-#include "core/stf/mapped_cells.h"
+#include "core/stf/source_solid.h"
 
 namespace voledit {
 
@@ -23,6 +23,10 @@ public:
         Box3 bounds;
         for (const Vec3& p : base.p) bounds = join(bounds, p);
         result_.origin = bounds.empty() ? Vec3(0) : bounds.center();
+        if (const MappedCells* cells = way.outerCells()) {
+            ends_ = cells->sourceFaces();
+            onEnd_ = 1e-6 * glm::length(sourceBox(*cells).size());
+        }
     }
 
     PacketCells cells(const Found& found, bool turned) {
@@ -63,6 +67,7 @@ private:
             join(result_.cells, portion.cells);
             join(result_.corners, portion.corners);
             join(result_.beyond, portion.beyond);
+            join(result_.atEnd, portion.atEnd);
             join(result_.raggedGroup, portion.raggedGroup);
         }
     }
@@ -155,6 +160,11 @@ private:
         to.cells.push_back(packetCell(p, x));
         to.corners.push_back(corners);
         to.beyond.push_back(sides);
+        if (!ends_.empty()) {
+            std::array<Vec3, 4> q;
+            for (std::size_t v = 0; v < 4; ++v) q[v] = q_[corners[v]];
+            to.atEnd.push_back(touchesAny(ends_, q, onEnd_));
+        }
         return true;
     }
 
@@ -186,6 +196,8 @@ private:
     const CellWay& way_;
     const Base& base_;
     const ChainParts& chain_;
+    std::span<const Vec4> ends_;  // of the outermost map's cells, where …
+    double onEnd_ = 0;            // … parts lie that are no further from them
     PacketCells result_;
     std::vector<Vec3> q_;       // of the vertices
     std::uint32_t cell_ = ~0U;  // whose corners have …

@@ -368,11 +368,11 @@ private:
         return {load(g[0].data()), load(g[1].data()), load(g[2].data())};
     }
 
-    /// Lanes at u that may have passed a cut less than cutReach_ before: all where maps have gaps, else those so near a
-    /// face of the volume.
+    /// Lanes at u that may have passed a cut less than cutReach_ before: all where maps have gaps, else those whose
+    /// runs begin where a map's cells end, and those so near a face of the volume.
     HWY_INLINE Mask mayBeCut(Mask near, Real u) const {
         if (volume_.cuts.gaps) return near;
-        Mask outside = none();
+        Mask outside = maskOf(lanes_.atEnd());
         for (std::size_t a = 0; a < 3; ++a) {
             const Real x = hn::Add(lanes_.start[a], hn::Mul(u, lanes_.step[a]));
             // Maps bend: twice as far.
@@ -397,7 +397,7 @@ private:
             const Vec3 direction(-packet_.toEye[0][l], -packet_.toEye[1][l], -packet_.toEye[2][l]);
             if (lanes_.newRun(l)) {
                 cut_[l].reset();
-                if (possible >> l & 1) cut_[l] = cuts.finder->before(cuts.eye, direction, depth);
+                if (possible >> l & 1) cut_[l] = cuts.finder->before(cuts.eye, direction, depth + cuts.ahead);
             }
             if (!cut_[l]) return;
             const Vec3 blended =

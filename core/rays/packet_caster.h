@@ -42,7 +42,8 @@ struct PacketCuts {
     const CutFinder* finder = nullptr;  // null: none are looked for
     Vec3 eye{0};
     double step = 1;    // world length of a step
-    bool gaps = false;  // maps may be undefined inside; else only the volume's faces can be cuts
+    double ahead = 0;   // how much deeper than where it shows the beginning of a run may lie, world units
+    bool gaps = false;  // maps may be undefined anywhere; else only the ends of cells and the volume's faces are cuts
 };
 
 /// What rays meet. Refers to what must outlive it.

@@ -55,6 +55,13 @@ GradientTurn gradientTurn(const Mat3& turn) {
     return result;
 }
 
+bool touchesAny(std::span<const Vec4> faces, const std::array<Vec3, 4>& places, double slack) {
+    return std::any_of(faces.begin(), faces.end(), [&](const Vec4& face) {
+        return std::any_of(places.begin(), places.end(),
+                           [&](const Vec3& place) { return std::abs(glm::dot(Vec3(face), place) + face.w) <= slack; });
+    });
+}
+
 std::uint8_t sidesBeyond(const Box3& box, const Box3& domain) {
     unsigned sides = 0;
     for (int a = 0; a < 3; ++a) {
@@ -62,6 +69,10 @@ std::uint8_t sidesBeyond(const Box3& box, const Box3& domain) {
         if (box.max[a] > domain.max[a] + kBeyond) sides |= 2U << 2 * a;
     }
     return std::uint8_t(sides);
+}
+
+bool PacketCells::hasEnds() const {
+    return std::any_of(atEnd.begin(), atEnd.end(), [](std::uint8_t at) { return at; });
 }
 
 void PacketCells::findBounds() {

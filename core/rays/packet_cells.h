@@ -21,6 +21,9 @@ struct alignas(64) PacketCell {
     std::array<std::array<float, 4>, 4> index;
 };
 
+/// Numbers of pieces from here on are not of cells (OwnPiece).
+constexpr std::uint32_t kOwnPiece = 1U << 31;
+
 /// Turns differences of one voxel into a gradient in world space, but for its length: columns, padded.
 using GradientTurn = std::array<std::array<float, 4>, 3>;
 
@@ -33,6 +36,8 @@ struct PacketCells {
     std::vector<GradientTurn> turn;                     // … and what turns gradients there
     /// Sides of the volume's domain that a cell reaches beyond: bit 2a the low one of axis a, bit 2a + 1 the high one.
     std::vector<std::uint8_t> beyond;
+    /// 1 where a ray may come into a cell from where a map's cells end; empty where it may nowhere.
+    std::vector<std::uint8_t> atEnd;
     std::array<float, 3> last{};  // the index of the domain's high sides
     Box3 bounds;                  // of the cells, in their space
     /// From this one on, cells are ragged: there is no affine map through them to index space, and the pieces of rays
@@ -44,6 +49,10 @@ struct PacketCells {
 
     /// `bounds`, when all cells are there.
     void findBounds();
+    /// Whether a run of pieces that begins in `cell` may begin where a map's cells end; false for pieces of their own.
+    bool mayBeginAtEnd(std::uint32_t cell) const { return cell < atEnd.size() && atEnd[cell]; }
+    /// False only if none does.
+    bool hasEnds() const;
 };
 
 /// A piece of a ray within a cell; in steps along the ray.
@@ -51,7 +60,6 @@ struct CellHit {
     float begin, end;
     std::uint32_t cell;  // or kOwnPiece + the number of an OwnPiece
 };
-constexpr std::uint32_t kOwnPiece = 1U << 31;
 
 /// A piece with a map of its own: index space is start + u · step.
 struct OwnPiece {
@@ -63,6 +71,8 @@ struct OwnPiece {
 PacketCell packetCell(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& x);
 /// `turn`, padded and in single precision.
 GradientTurn gradientTurn(const Mat3& turn);
+/// Whether one of `places` lies on one of `faces` (planes with unit normals) but for `slack`.
+bool touchesAny(std::span<const Vec4> faces, const std::array<Vec3, 4>& places, double slack);
 /// The bits of PacketCells::beyond for a cell whose source fills `box`, of a volume whose domain is `domain`.
 std::uint8_t sidesBeyond(const Box3& box, const Box3& domain);
 

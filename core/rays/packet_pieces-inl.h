@@ -43,6 +43,8 @@ public:
         runs_ &= ~(1U << l);
         return is;
     }
+    /// Lanes whose runs may begin where a map's cells end.
+    std::uint32_t atEnd() const { return atEnd_; }
     /// The piece's own map and turn; null where its cell has them.
     const OwnPiece* own(std::size_t l) const {
         return cell_[l] & kOwnPiece ? &packet_.own[cell_[l] - kOwnPiece] : nullptr;
@@ -58,6 +60,8 @@ public:
         if (next_[l] == 1 || hit.begin > end_[l] + kTouching) {
             set(run, lane, hit.begin);
             runs_ |= 1U << l;
+            const bool atEnd = cells_ && cells_->mayBeginAtEnd(hit.cell);
+            atEnd_ = atEnd ? atEnd_ | 1U << l : atEnd_ & ~(1U << l);
         }
         end_[l] = hit.end;
         cell_[l] = hit.cell;
@@ -111,7 +115,7 @@ private:
     std::array<std::size_t, RayPacket::kMost> next_{};
     std::array<std::uint32_t, RayPacket::kMost> cell_{};
     std::array<float, RayPacket::kMost> end_{};
-    std::uint32_t alive_ = 0, runs_ = 0;
+    std::uint32_t alive_ = 0, runs_ = 0, atEnd_ = 0;
 };
 
 }  // namespace voledit::HWY_NAMESPACE

@@ -13,6 +13,7 @@
 #include "core/stf/cell_locator.h"
 #include "core/stf/cell_overlap.h"
 #include "core/stf/overlapping_cells.h"
+#include "core/stf/source_solid.h"
 
 namespace voledit {
 
@@ -111,10 +112,11 @@ std::vector<Mat3> averagedJacobians(const MappedCells::Data& data,
 }  // namespace
 
 struct MappedCells::Lazy {
-    std::once_flag locatorOnce, overlapOnce, overlappingOnce;
+    std::once_flag locatorOnce, overlapOnce, overlappingOnce, facesOnce;
     std::unique_ptr<const CellLocator> locator;
     bool overlap = false;
     std::vector<char> overlapping;
+    std::vector<Vec4> sourceFaces;
 };
 
 MappedCells::MappedCells(Data data) : data_(std::move(data)), lazy_(std::make_unique<Lazy>()) {
@@ -170,6 +172,11 @@ std::span<const char> MappedCells::overlapping() const {
         lazy_->overlapping = mayOverlap() ? overlappingCells(*this) : std::vector<char>(cellCount(), 0);
     });
     return lazy_->overlapping;
+}
+
+std::span<const Vec4> MappedCells::sourceFaces() const {
+    std::call_once(lazy_->facesOnce, [this] { lazy_->sourceFaces = findSourceFaces(*this); });
+    return lazy_->sourceFaces;
 }
 
 bool MappedCells::locateAlone(const Vec3& p, std::uint32_t& hint, CellLocation& found) const {

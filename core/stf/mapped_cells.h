@@ -79,6 +79,10 @@ public:
     /// !mayOverlap(). Found out on first use.
     std::span<const char> overlapping() const;
 
+    /// Faces of the convex solid that the sources fill, empty where they fill none (source_solid.h). Found out on first
+    /// use.
+    std::span<const Vec4> sourceFaces() const;
+
     /// Appends every tetrahedron that contains p, in the order of tetrahedra(). A point on a shared face, edge or
     /// vertex is reported once for each pre-image, not once for each tetrahedron that touches it: locations of one
     /// source point (within rounding) count once, as the first of them. On the crease of a fold, where two sheets meet

@@ -1,5 +1,6 @@
 // common/located.glsl: forward maps below the one whose cells are cut. A point is located in the tetrahedra of one map
-// after the other, the first that holds it. Needs common/volume.glsl, cell_search.glsl.
+// after the other, the first that holds it. Needs common/volume.glsl,
+// volume_cut.glsl, cell_search.glsl.
 
 const int kMostLocated = 8;  // SlicePlan has the same
 uniform int locatedCount;
@@ -13,8 +14,11 @@ uint[kMostLocated] noHints() {
 // Index coordinates of a point; false where a map or the volume has none.
 // hint      the tetrahedra found last
 // jacobian  d point / d world; becomes d index / d world
-bool locate(vec3 point, inout uint hint[kMostLocated], out vec3 index, inout mat3 jacobian) {
+// faces     whether `last` becomes the face that the ray, whose world direction of unit depth is `ray`, entered last before
+bool locate(vec3 point, inout uint hint[kMostLocated], out vec3 index, inout mat3 jacobian, vec3 ray, out Entered last, bool faces) {
     index = point;
+    last = Entered(-1e30, vec3(0.0));
+    if (faces) enterPlanes(0, point, jacobian, ray, last);
     for (int m = 0; m < locatedCount; ++m) {
         vec4 weight;
         if (findTetrahedron(locatedMaps[m].grid, point, hint[m], weight)) {
@@ -28,6 +32,7 @@ bool locate(vec3 point, inout uint hint[kMostLocated], out vec3 index, inout mat
             }
             point = a.xyz;
             jacobian = mat3(vec3(a.w, b.xy), vec3(b.zw, c.x), c.yzw) * jacobian;
+            if (faces) enterPlanes(m + 1, point, jacobian, ray, last);
         } else if (locatedMaps[m].keeps.x != 0) {
             point = (locatedMaps[m].nextFromThis * vec4(point, 1.0)).xyz;
             jacobian = mat3(locatedMaps[m].nextFromThis) * jacobian;
@@ -36,5 +41,6 @@ bool locate(vec3 point, inout uint hint[kMostLocated], out vec3 index, inout mat
         }
     }
     index = point;
+    if (faces) enterBox(index, jacobian, ray, last);
     return insideVolume(index);
 }

@@ -1,5 +1,5 @@
 // common/located_ray.glsl: the view ray through a fragment, bent by located maps; every point of it is located by itself.
-// The same functions as common/slab_ray.glsl has. Needs common/volume.glsl, located.glsl.
+// The same functions as common/slab_ray.glsl has. Needs common/volume.glsl, volume_cut.glsl, located.glsl.
 
 uniform float slabDepth;  // extent of a slab along the view axis, world units
 
@@ -21,12 +21,15 @@ SlabRay slabRay(vec3 entry, vec3 perDepth, mat3 jacobian) {
 
 bool indexOn(inout SlabRay at, float depth, out vec3 index) {
     mat3 unused = mat3(1.0);
-    return locate(at.entry + depth * at.perDepth, at.hint, index, unused);
+    Entered none;
+    return locate(at.entry + depth * at.perDepth, at.hint, index, unused, vec3(0.0), none, false);
 }
 
-bool placeOn(inout SlabRay at, float depth, out vec3 index, out mat3 jacobian) {
+Entered placeOn(inout SlabRay at, float depth, vec3 ray, out vec3 index, out mat3 jacobian) {
     jacobian = at.jacobian;
-    return locate(at.entry + depth * at.perDepth, at.hint, index, jacobian);
+    Entered last;
+    locate(at.entry + depth * at.perDepth, at.hint, index, jacobian, ray, last, true);
+    return last;
 }
 
 // Where the object ends between the slice and the neighbouring one at `outer`, where it is not.

@@ -18,10 +18,12 @@ bool indexOn(inout SlabRay at, float depth, out vec3 index) {
     return true;
 }
 
-// The same, and d index / d world.
-bool placeOn(inout SlabRay at, float depth, out vec3 index, out mat3 jacobian) {
+// The same, and d index / d world; gives the face that the ray, whose world direction of unit depth is `ray`, entered last
+// before. Needs common/volume_cut.glsl.
+Entered placeOn(inout SlabRay at, float depth, vec3 ray, out vec3 index, out mat3 jacobian) {
     jacobian = at.jacobian;
-    return indexOn(at, depth, index);
+    indexOn(at, depth, index);
+    return enteredBefore(index, jacobian, ray);
 }
 
 // The part of the ray, by depth from the slice, that its slab stands for: half a slab on either side, but at the volume's

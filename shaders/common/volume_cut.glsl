@@ -1,37 +1,53 @@
-// common/volume_cut.glsl: the faces at which a volume's box cuts the data.
+// common/volume_cut.glsl: plane faces that cut the data: of the volume's box, and of the solids that maps' cells come from.
 
 uniform float cutThickness;  // world units: so deep behind a cut its normal counts wholly, gone at twice that; 0: no cuts
-uniform vec3 cutMin;         // of index coordinates
+uniform vec3 cutMin;         // of index coordinates: the box that the faces along their axes leave
 uniform vec3 cutMax;
+// The other faces: xyz · place + w ≥ 0 within. Those before cutPlaneEnds[0] of index coordinates, where one map of cells leads
+// there; else of the grid coordinates of the first located map, and the next ones of what each located map gives.
+const int kMostCutPlanes = 64;
+uniform vec4 cutPlanes[kMostCutPlanes];
+uniform int cutPlaneEnds[9];
 
-// Where cells of a map that are no cut end, nothing is: a face of the box in front of that was never entered.
-uniform bool cellsEnd;            // may do so within the box
-uniform mat4 sourceFromPlace;     // to where the cells' sources fill a box
-uniform vec3 cellsMin;
-uniform vec3 cellsMax;
-vec3 placeEntered = vec3(0.0);    // the fragment's place, and its change per unit of depth: to be set where cellsEnd
-vec3 placePerDepthEntered = vec3(0.0);
+// The face that a ray entered last before a place.
+struct Entered {
+    float depth;  // from the place
+    vec3 normal;  // world, of any length and sign
+};
 
-// The depth, from the slice, at which the ray last entered the cells' box.
-float cellsEntered() {
-    vec3 source = (sourceFromPlace * vec4(placeEntered, 1.0)).xyz;
-    vec3 change = mat3(sourceFromPlace) * placePerDepthEntered;
-    vec3 safe = mix(change, vec3(1e-20), lessThan(abs(change), vec3(1e-20)));
-    vec3 enter = min((cellsMin - source) / safe, (cellsMax - source) / safe);
-    return max(max(enter.x, enter.y), enter.z);
+// Goes on to the faces in the space of `place` from those that `last` is of.
+//   jacobian  d place / d world
+//   ray       world direction of unit depth
+void enterPlanes(int space, vec3 place, mat3 jacobian, vec3 ray, inout Entered last) {
+    vec3 perDepth = jacobian * ray;
+    for (int n = space == 0 ? 0 : cutPlaneEnds[space - 1]; n < cutPlaneEnds[space]; ++n) {
+        float change = dot(cutPlanes[n].xyz, perDepth);
+        float depth = -(dot(cutPlanes[n].xyz, place) + cutPlanes[n].w) / change;
+        if (change > 0.0 && depth > last.depth) last = Entered(depth, cutPlanes[n].xyz * jacobian);
+    }
 }
 
-// The world normal of the face that the ray entered by less than two thicknesses before `index`, and how much it counts
-// (w; 0: there is none). `depth` is that of `index` from the slice, `ray` is the world direction of unit depth, `jacobian` is d index / d world.
-vec4 faceBefore(vec3 index, float depth, mat3 jacobian, vec3 ray) {
+void enterBox(vec3 index, mat3 jacobian, vec3 ray, inout Entered last) {
     vec3 perDepth = jacobian * ray;
     vec3 safe = mix(perDepth, vec3(1e-20), lessThan(abs(perDepth), vec3(1e-20)));
     vec3 enter = min((cutMin - index) / safe, (cutMax - index) / safe);
-    float nearest = max(max(enter.x, enter.y), enter.z);
-    float weight = cutThickness > 0.0 ? clamp(2.0 + nearest * length(ray) / cutThickness, 0.0, 1.0) : 0.0;
-    // The cells' own box may be the volume's.
-    if (cellsEnd && (cellsEntered() - depth - nearest) * length(ray) > 0.05 * cutThickness) weight = 0.0;
-    vec3 axis = enter.x >= nearest ? vec3(1.0, 0.0, 0.0) : enter.y >= nearest ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-    vec3 normal = normalize(axis * jacobian);
+    float depth = max(max(enter.x, enter.y), enter.z);
+    vec3 axis = enter.x >= depth ? vec3(1.0, 0.0, 0.0) : enter.y >= depth ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+    if (depth > last.depth) last = Entered(depth, axis * jacobian);
+}
+
+// The faces of a volume under one map at most.
+Entered enteredBefore(vec3 index, mat3 jacobian, vec3 ray) {
+    Entered last = Entered(-1e30, vec3(0.0));
+    enterBox(index, jacobian, ray, last);
+    enterPlanes(0, index, jacobian, ray, last);
+    return last;
+}
+
+// The face's normal, towards the eye, and how much it counts (w; 0: not at all): it was entered by less than two thicknesses
+// before.
+vec4 cutBy(Entered face, vec3 ray) {
+    float weight = cutThickness > 0.0 ? clamp(2.0 + face.depth * length(ray) / cutThickness, 0.0, 1.0) : 0.0;
+    vec3 normal = normalize(face.normal);
     return vec4(dot(normal, ray) > 0.0 ? -normal : normal, weight);
 }

@@ -68,8 +68,8 @@ vec4 volumeSlab(SlabRay at, vec3 ray) {
         float alpha = before - through;
         if (alpha > 0.0) {
             mat3 jacobian;
-            placeOn(at, where / alpha, index, jacobian);
-            vec3 gradient = withCut(faceBefore(index, where / alpha, jacobian, ray), rawDifferencesAt(index) * jacobian);
+            Entered face = placeOn(at, where / alpha, ray, index, jacobian);
+            vec3 gradient = withCut(cutBy(face, ray), rawDifferencesAt(index) * jacobian);
             vec2 light = reflected(gradient, ray, lightShare(where / alpha, alpha, ray));
             part = part * light.x + alpha * light.y;
         }

@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/base/picture.h"
+#include "core/rays/ray_renderer.h"
 #include "core/stf/affine.h"
 #include "tests/render/render_fixtures.h"
 #include "tests/render/term_fixtures.h"
@@ -41,6 +42,15 @@ Vec3 normalSeen(CompiledScene scene, const Vec3& p, bool slices) {
 
 double degreesBetween(const Vec3& a, const Vec3& b) {
     return glm::degrees(std::acos(std::min(glm::dot(a, glm::abs(b)), 1.0)));
+}
+
+/// The same rays as raysOf, in packets.
+Picture packetsOf(CompiledScene scene, Index2 size, double finer) {
+    scene.render.step /= finer;
+    RayRenderer renderer;
+    renderer.begin(scene, size);
+    renderer.advance(0);
+    return renderer.picture();
 }
 
 TEST(CutFacesOfSlices, HaveTheNormalOfTheCut) {
@@ -81,6 +91,45 @@ TEST(CutFacesOfSlices, AreThoseOfRays) {
         // Noise that is lit by its own gradients differs by more than 20 dB.
         EXPECT_GT(psnr(slicesOf(scene, kSize), raysOf(scene, kSize, 2)), 30) << name;
     }
+}
+
+/// A lattice over a frame, bent.
+TransferPtr bentOver(const Frame& frame, Outside outside = Outside::Hide) {
+    Lattice lattice{LatticeBasis::Bezier, {4, 4, 4}, frame, restControlPoints(LatticeBasis::Bezier, Index3(4), frame)};
+    for (int j = 0; j < 4; ++j)
+        for (int k = 0; k < 4; ++k) lattice.control[lattice.indexOf({3, j, k})] += Vec3(0.2, 0.05 * k * k, 0.1 * j);
+    return std::make_shared<LatticeMap>(lattice, Index3(12), outside);
+}
+
+void expectAsRays(const char* name, const TermPtr& term) {
+    CompiledScene scene = sceneOf(term, 2 / 39.0);
+    scene.render.background = Vec3(0.6);
+    const Picture rays = raysOf(scene, kSize, 2);
+    for (const bool march : {true, false})
+        EXPECT_GT(psnr(slicesOf(scene, kSize, {.march = march}), rays), 30) << name << " " << march;
+    // Packets are lit as the reference.
+    EXPECT_GT(psnr(rays, packetsOf(scene, kSize, 2)), 36) << name;
+}
+
+// A lattice's frame is smaller than the volume: its bent boundary is what is seen.
+TEST(CutFacesOfSlices, OfAFrameWithinTheVolumeAreThoseOfRays) {
+    expectAsRays("half", through(bentOver(frameOf({Vec3(-2), Vec3(0.3, 2, 2)})), noise()));
+    expectAsRays("inner", through(bentOver(frameOf({Vec3(-0.6), Vec3(0.5, 0.7, 0.8)})), noise()));
+    Frame turned{Vec3(-0.2, -0.9, -0.7), {Vec3(1, 0.4, 0.1), Vec3(-0.6, 1, 0), Vec3(0, 0.2, 1.3)}};
+    expectAsRays("turned", through(bentOver(turned), noise()));
+}
+
+TEST(CutFacesOfSlices, UnderChainsOfLatticesAreThoseOfRays) {
+    const Box3 box{Vec3(-1), Vec3(1)};
+    const TransferPtr half = bentOver(frameOf({Vec3(-2), Vec3(0.3, 2, 2)}));
+    const TransferPtr wide = bentOver(frameOf({Vec3(-1.5), Vec3(1.5)}));
+    const TransferPtr split = library("split", box, {{"axis", axis(1)}, {"gap", number(0.4)}});
+    expectAsRays("faces", through(wide, through(wide, noise())));
+    expectAsRays("half below", through(wide, through(half, noise())));
+    expectAsRays("half above", through(half, through(wide, noise())));
+    expectAsRays("split above", through(split, through(wide, noise())));
+    expectAsRays("split below", through(wide, through(split, noise())));
+    expectAsRays("split between", through(half, through(split, through(wide, noise()))));
 }
 
 }  // namespace

@@ -82,6 +82,47 @@ TEST(CutFaces, OfAVolumesBoxAndOfASolidAreTheirs) {
     expectNormals(makeCvgTerm(CvgOperator::Intersection, {noise(), window}), 0.2, Mat4(1));
 }
 
+/// A lattice over `frame`, its far face along x bent out of its plane.
+TransferPtr lattice(const Frame& frame, double bend, Outside outside = Outside::Hide) {
+    Lattice lattice{LatticeBasis::Bezier, {4, 4, 4}, frame, restControlPoints(LatticeBasis::Bezier, Index3(4), frame)};
+    for (int j = 0; j < 4; ++j)
+        for (int k = 0; k < 4; ++k)
+            lattice.control[lattice.indexOf({3, j, k})] += bend * Vec3((j - 1.5) * (j - 1.5), 0.3 * k, 0.2 * j);
+    return std::make_shared<LatticeMap>(lattice, Index3(16), outside);
+}
+
+TEST(CutFaces, OfALatticeWhoseFrameIsSmallerAreItsFaces) {
+    expectNormals(through(lattice(frameOf({Vec3(-1), Vec3(0.3, 1, 1)}), 0), noise()), 0.3, Mat4(1));
+    // A frame that is turned about z, as the volume is not.
+    const Mat4 turn = placementMatrix(Vec3(0), Vec3(0, 0, 0.4), Vec3(1));
+    Frame frame = frameOf({Vec3(-0.6, -0.8, -0.8), Vec3(0.3, 0.8, 0.8)});
+    frame.corner = transformPoint(turn, frame.corner);
+    for (Vec3& edge : frame.edge) edge = transformVector(turn, edge);
+    expectNormals(through(lattice(frame, 0), noise()), 0.3, turn);
+}
+
+TEST(CutFaces, OfABentLatticeAreSmooth) {
+    const Frame frame = frameOf({Vec3(-1), Vec3(0.3, 1, 1)});
+    const TransferPtr map = lattice(frame, 0.1);
+    const Lattice& bent = static_cast<const LatticeMap&>(*map).lattice();
+    const TermPtr term = through(map, noise());
+    const CutFinder cuts(*term, kThickness);
+    for (double v = 0.07; v < 1; v += 0.11)
+        for (double w = 0.05; w < 1; w += 0.13) {
+            Mat3 slopes;
+            const Vec3 target = evaluate(bent, Vec3(1, v, w), slopes);
+            const Vec3 normal = glm::normalize(glm::cross(slopes[1], slopes[2]));
+            const Vec3 direction = -glm::normalize(normal + Vec3(0, 0.3, -0.2));
+            const auto cut = cuts.before(target - 5.0 * direction, direction, 5 + 0.5 * kThickness);
+            ASSERT_TRUE(cut) << v << " " << w;
+            EXPECT_NEAR(cut->depth, 5, 0.05 * kThickness);
+            const double depth = cut->depth + 0.01 * kThickness;
+            const Vec3 p = target + (depth - 5) * direction;
+            // Facets of 16 cells would lie up to 2° off.
+            EXPECT_LT(degreesBetween(cuts.blended(*cut, p, depth, Vec3(0.1, 0.2, 0.3)), normal), 0.3);
+        }
+}
+
 TEST(CutFaces, AreWhereDataEndAndNotWhereTheyAreClear) {
     // Clear for x > 0, to the end of the box at 1: the surface at 0 is the data's own.
     TransferFunction look;
