@@ -20,27 +20,25 @@ void deleteProgram(GLuint name) {
     glDeleteProgram(name);
 }
 
-namespace {
-Texture makeTexture(GLenum target, GLenum filter) {
+Texture makeTexture(GLenum target, GLenum minify, GLenum magnify) {
     GLuint name = 0;
     glCreateTextures(target, 1, &name);
     Texture texture(name);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GLint(filter));
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GLint(filter));
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GLint(minify));
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GLint(magnify));
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
     return texture;
 }
-}  // namespace
 
 Texture makeTexture2D(GLenum format, Index2 size) {
-    Texture texture = makeTexture(GL_TEXTURE_2D, GL_NEAREST);
+    Texture texture = makeTexture(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
     glTextureStorage2D(texture.name(), 1, format, size.x, size.y);
     return texture;
 }
 
 Texture makeTable(GLenum format, int width, std::span<const float> values) {
-    Texture texture = makeTexture(GL_TEXTURE_1D, GL_LINEAR);
+    Texture texture = makeTexture(GL_TEXTURE_1D, GL_LINEAR, GL_LINEAR);
     const std::size_t channels = values.size() / std::size_t(width);
     glTextureStorage1D(texture.name(), 1, format, width);
     glTextureSubImage1D(texture.name(), 0, 0, width,
@@ -52,7 +50,7 @@ Texture makeTable(GLenum format, int width, std::span<const float> values) {
 }
 
 Texture makeTables(int width, int rows, std::span<const float> values) {
-    Texture texture = makeTexture(GL_TEXTURE_1D_ARRAY, GL_LINEAR);
+    Texture texture = makeTexture(GL_TEXTURE_1D_ARRAY, GL_LINEAR, GL_LINEAR);
     glTextureStorage2D(texture.name(), 1, GL_RGBA32F, width, rows);
     glTextureSubImage2D(texture.name(), 0, 0, 0, width, rows, GL_RGBA, GL_FLOAT, values.data());
     return texture;

@@ -46,6 +46,8 @@ using Buffer = GlHandle<deleteBuffer>;
 using Framebuffer = GlHandle<deleteFramebuffer>;
 using VertexArray = GlHandle<deleteVertexArray>;
 
+/// A texture of `target`, without a store yet, clamped to its edges, with these filters.
+Texture makeTexture(GLenum target, GLenum minify, GLenum magnify);
 /// Immutable 2-D texture of one level, nearest filtering, clamped.
 Texture makeTexture2D(GLenum format, Index2 size);
 /// Immutable 1-D texture of one level, linear filtering, clamped, filled with `values` (width · channels floats; the

@@ -10,16 +10,10 @@ namespace {
 constexpr GLuint kAlphaUnit = 40, kClearanceUnit = 41, kOpennessUnit = 42, kShadowUnit = 43;
 
 Texture texture3D(GLenum format, GLsizei levels, Index3 size, GLenum minify, GLenum magnify) {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_3D, 1, &name);
-    Texture texture(name);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GLint(minify));
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GLint(magnify));
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+    Texture texture = makeTexture(GL_TEXTURE_3D, minify, magnify);
     while (glGetError() != GL_NO_ERROR) {
     }
-    glTextureStorage3D(name, levels, format, size.x, size.y, size.z);
+    glTextureStorage3D(texture.name(), levels, format, size.x, size.y, size.z);
     if (glGetError() != GL_NO_ERROR)
         throw Error("shadows and occlusion", "the GPU's memory is too small for the opacity around",
                     "use --renderer rays");

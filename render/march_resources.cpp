@@ -22,13 +22,8 @@ std::span<const float> floatsOf(const std::vector<std::array<float, 4>>& values)
 }
 
 Texture makeTexture3D(GLenum format, Index3 size, GLint filter) {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_3D, 1, &name);
-    Texture texture(name);
-    for (const GLenum which : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTextureParameteri(name, which, filter);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
-    glTextureStorage3D(name, 1, format, size.x, size.y, size.z);
+    Texture texture = makeTexture(GL_TEXTURE_3D, GLenum(filter), GLenum(filter));
+    glTextureStorage3D(texture.name(), 1, format, size.x, size.y, size.z);
     return texture;
 }
 

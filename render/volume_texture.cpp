@@ -66,12 +66,8 @@ void checkSize(Index3 size) {
 VolumeTexture makeVolumeTexture(const Volume& volume, int channel) {
     const Index3 size = volume.grid().size;
     checkSize(size);
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_3D, 1, &name);
-    VolumeTexture result{Texture(name), 1, 0};
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTextureParameteri(name, filter, GL_LINEAR);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTextureParameteri(name, wrap, GL_CLAMP_TO_EDGE);
+    VolumeTexture result{makeTexture(GL_TEXTURE_3D, GL_LINEAR, GL_LINEAR), 1, 0};
+    const GLuint name = result.texture.name();
     // As GL_CLAMP_TO_EDGE, within half a sample beyond the volume. llvmpipe filters bytes in 8 bits unless an axis is
     // wrapped in some way that its short cut does not know, and in floats then.
     glTextureParameteri(name, GL_TEXTURE_WRAP_R, GL_MIRROR_CLAMP_TO_EDGE);
