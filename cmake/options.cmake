@@ -19,3 +19,17 @@ if(VOLEDIT_COVERAGE)
   target_compile_options(voledit_options INTERFACE --coverage)
   target_link_options(voledit_options INTERFACE --coverage)
 endif()
+
+# voledit_precompile(NAME HEADERS… | FROM OTHER): compiles the headers that most files of NAME include once for all of
+# them, or takes those of another target of the same flags. Not under a compiler cache, which sees through plain
+# headers only; there, files that include too little fail.
+function(voledit_precompile name)
+  if(CMAKE_CXX_COMPILER_LAUNCHER)
+    return()
+  endif()
+  if(ARGV1 STREQUAL "FROM")
+    target_precompile_headers(${name} REUSE_FROM ${ARGV2})
+  else()
+    target_precompile_headers(${name} PRIVATE ${ARGN})
+  endif()
+endfunction()
