@@ -92,13 +92,26 @@ Pile over(Pile front, Pile back) {
                 behind ? back.widestDepth : front.widestDepth);
 }
 
+#ifdef SHADED
+// What is seen of a part, lit at one place.
+vec3 lit(Pile part, bool jumps, vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
+    float alpha = 1.0 - part.through;
+    float where = jumps ? part.widestDepth : part.where / max(alpha, 1e-20);
+    vec3 at = place + where * perDepth;
+    vec3 gradient = litTermAt(at).gradient * jacobian;
+    if (cutThickness > 0.0)
+        gradient = withCut(cutBefore(at, perDepth / length(ray), normalize(ray), jacobian), gradient);
+    vec2 light = reflected(gradient, ray, lightShare(where, alpha, ray));
+    return part.seen * light.x + alpha * light.y;
+}
+#endif
+
 vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
     vec2 extent = slabExtent(place, perDepth);
     float partDepth = (extent.y - extent.x) / float(segments);
     float partLength = partDepth * length(ray);
     float perPart = 1.0 / max(partDepth, 1e-30);
     Pile slab = emptyPile();
-    bool jumps = false;
     End left;
     End last;
     for (int s = 0; s < segments; ++s) {
@@ -133,19 +146,12 @@ vec4 termSlab(vec3 place, vec3 perDepth, mat3 jacobian, vec3 ray) {
             }
             ++level;
         }
-        jumps = jumps || level > 2;
-        slab = over(slab, over(over(front, piece(left, right, perPart)), back));
-    }
-    float alpha = 1.0 - slab.through;
+        Pile part = over(over(front, piece(left, right, perPart)), back);
 #ifdef SHADED
-    // Where there is a jump, the mean place could be a clear one.
-    float where = jumps ? slab.widestDepth : slab.where / max(alpha, 1e-20);
-    vec3 at = place + where * perDepth;
-    vec3 gradient = litTermAt(at).gradient * jacobian;
-    if (cutThickness > 0.0 && alpha > 0.0)
-        gradient = withCut(cutBefore(at, perDepth / length(ray), normalize(ray), jacobian), gradient);
-    vec2 light = reflected(gradient, ray, lightShare(where, alpha, ray));
-    if (alpha > 0.0) slab.seen = slab.seen * light.x + alpha * light.y;
+        // Where there is a jump, the mean place could be a clear one.
+        if (part.through < 1.0) part.seen = lit(part, level > 2, place, perDepth, jacobian, ray);
 #endif
-    return vec4(slab.seen, alpha);
+        slab = over(slab, part);
+    }
+    return vec4(slab.seen, 1.0 - slab.through);
 }
