@@ -14,6 +14,7 @@ namespace {
 constexpr int kHalvings = 30;
 constexpr double kInside = 1e-6;  // thicknesses: a place behind a face that rounding does not take out
 constexpr int kSearched = 4;      // places of a ray, back to two thicknesses
+constexpr double kAhead = 0.1;    // thicknesses: volumes are seen up to a thousandth of a voxel outside their boxes
 /// How far aside, in thicknesses, a face is looked for, and how far before and behind as multiples of that: less far
 /// near edges and in narrow gaps; the second finds faces that are seen as flat as by 1.5°.
 struct Aside {
@@ -76,14 +77,15 @@ std::optional<CutFace> CutFinder::before(const Vec3& origin, const Vec3& directi
     if (!mayCut_) return std::nullopt;
     const SeenPart part(term_, origin + seen * direction);
     if (!part.isData()) return std::nullopt;
-    std::array<Vec3, kSearched> places{};
-    std::array<std::uint8_t, kSearched> within{};
-    const double apart = 2 * thickness_ / kSearched;
-    for (int n = 0; n < kSearched; ++n) places[std::size_t(n)] = origin + (seen - (n + 1) * apart) * direction;
+    std::array<double, kSearched + 2> depths{seen + kAhead * thickness_, seen};
+    for (int n = 0; n < kSearched; ++n) depths[std::size_t(n) + 2] = seen - (n + 1) * 2 * thickness_ / kSearched;
+    std::array<Vec3, depths.size()> places{};
+    for (std::size_t n = 0; n < places.size(); ++n) places[n] = origin + depths[n] * direction;
+    std::array<std::uint8_t, places.size()> within{};
     part.within(places, within);
-    const auto out = std::find(within.begin(), within.end(), 0) - within.begin();
-    if (out == kSearched) return std::nullopt;
-    const auto depth = beginning(part, origin, direction, seen - double(out + 1) * apart, seen - double(out) * apart);
+    const auto out = std::find(within.begin() + 1, within.end(), 0) - within.begin();
+    if (out == int(within.size())) return std::nullopt;
+    const auto depth = beginning(part, origin, direction, depths[std::size_t(out)], depths[std::size_t(out) - 1]);
     if (!depth) return std::nullopt;
     const Vec3 here = origin + *depth * direction;
     const double little = kInside * thickness_;

@@ -209,7 +209,9 @@ private:
             const Vec3 direction(-packet_.toEye[0][l], -packet_.toEye[1][l], -packet_.toEye[2][l]);
             if (lanes_.newRun(l)) {
                 cut_[l].reset();
-                if (possible >> l & 1) cut_[l] = cuts.finder->before(cuts.eye, direction, depth + cuts.ahead);
+                if (possible >> l & 1) cut_[l] = cuts.finder->before(cuts.eye, direction, depth);
+                if (possible >> l & 1 && !cut_[l] && cuts.ahead > 0)
+                    cut_[l] = cuts.finder->before(cuts.eye, direction, depth + cuts.ahead);
             }
             if (!cut_[l]) return;
             const Vec3 blended =

@@ -136,6 +136,16 @@ TEST(CutFaces, AreWhereDataEndAndNotWhereTheyAreClear) {
     EXPECT_FALSE(CutFinder(*noise(), kThickness).before(Vec3(5, 0, 0), Vec3(-1, 0, 0), 4 + 2.1 * kThickness));
 }
 
+// Volumes are seen up to a thousandth of a voxel outside their boxes.
+TEST(CutFaces, AreFoundFromWhereRoundingShowsThem) {
+    const TermPtr box = noise();
+    const CutFinder cuts(*box, kThickness);
+    const auto cut = cuts.before(Vec3(5, 0, 0), Vec3(-1, 0, 0), 4 - 4e-5);
+    ASSERT_TRUE(cut);
+    EXPECT_NEAR(cut->depth, 4, 1e-6);
+    EXPECT_LT(degreesBetween(cuts.blended(*cut, Vec3(1 + 4e-5, 0, 0), 4 - 4e-5, Vec3(0)), Vec3(1, 0, 0)), 0.01);
+}
+
 TEST(CutFaces, OfTwoThingsInOnePlaceAreThoseOfTheOneThatIsSeen) {
     TransferFunction clear = constantLook(0, Vec3(1));
     const TermPtr around = makeVolumeTerm(sampledVolume(5, [](const Vec3&) { return 1; }), 0, clear);
