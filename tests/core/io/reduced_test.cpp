@@ -81,9 +81,10 @@ TEST_F(Reduced, TakesCompressedAndRealAndInterleavedValues) {
     const Index3 size(80, 133, 72);
     const auto values = noise<float>(80 * 133 * 72 * 2);
     for (const bool gzip : {false, true}) {
-        const auto file = read(std::string("type: float\ndimension: 4\nkinds: vector domain domain domain\n") +
-                                   "sizes: 2 80 133 72\nendian: little\nencoding: " + (gzip ? "gzip" : "raw") + "\n",
-                               gzip ? test::gzipped(test::bytesOf(values)) : test::bytesOf(values));
+        std::string header =
+            "type: float\ndimension: 4\nkinds: vector domain domain domain\nsizes: 2 80 133 72\nendian: little\n";
+        header += gzip ? "encoding: gzip\n" : "encoding: raw\n";
+        const auto file = read(header, gzip ? test::gzipped(test::bytesOf(values)) : test::bytesOf(values));
         ASSERT_EQ(file.volume->grid().channels, 2);
         expectMeans(*file.volume, values, size, Index3(2));
     }
