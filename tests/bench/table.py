@@ -134,7 +134,7 @@ def measured(title, volume):
                 key = f"vtk {mapper}{' shaded' if 'shaded' in name else ''}"
                 figures[key]["psnr_db"] = psnr_beside(work / f"vtk_{n}_{mapper}{'_shaded' if 'shaded' in name else ''}.ppm",
                                                       reference)
-    figures["vtk edit"] = peer("vtk_deform.py", volume, "--transform", "grid", "--inverse", runs=1)  # the same shaders
+    figures["vtk edit"] = peer("vtk_deform.py", volume, "--transform", "grid", "--inverse", "--edits", arguments.repeats, runs=1)
     figures["itk"] = words(run(work / "build/itk_resample", 256, 2))
     if arguments.json:
         measurements.append(figures)
