@@ -4,8 +4,8 @@
 #include <glm/common.hpp>
 
 #include "core/fields/value_bricks.h"
-#include "core/stf/source_solid.h"
 #include "core/stf/mesh_field.h"
+#include "core/stf/source_solid.h"
 #include "render/slice_plan.h"
 #include "render/term_writer.h"
 #include "render/visibility.h"

@@ -36,7 +36,8 @@ public:
         volume_ = packetVolume(*look_);
         volume_.light = packetLight(scene, surroundings_);
         volume_.turn = gradientTurn(glm::transpose(Mat3(indexFromWorld)));
-        if (scene.render.shading && look_->reachesFaces(kCutReach)) volume_.cuts = {&cuts_, world_.eye, step_, 0, false};
+        if (scene.render.shading && look_->reachesFaces(kCutReach))
+            volume_.cuts = {&cuts_, world_.eye, step_, 0, false};
         const double side = double(1 << look_->skip().shift);
         visible_ = intersect(domain_, {side * Vec3(look_->skip().first), side * Vec3(look_->skip().end)});
     }
