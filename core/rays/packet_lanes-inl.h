@@ -11,13 +11,13 @@
 #include <array>
 #include <cstring>
 
+#include "core/base/quad.h"
 #include "core/rays/packet_math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace voledit::HWY_NAMESPACE {
 
 /// Four numbers of one lane. Not of Highway, which has no such vectors on every target.
-using Quad = float __attribute__((vector_size(16)));
 HWY_INLINE Quad quad(const std::array<float, 4>& values) {
     Quad result;
     std::memcpy(&result, values.data(), sizeof result);
